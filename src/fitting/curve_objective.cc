@@ -55,10 +55,26 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
   }
   data_norm_ = std::sqrt(square);
   blocks_.push_back(n);
+  list_points();
   if (n < 2 * kSample) return;
   std::vector<MeasuredPoint> sample;
   for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_.at(index_of(i * n / kSample)));
   sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
+}
+
+/// Arrays are scaled faster than points that are made one by one; of millions they would be most of the memory.
+void CurveObjective::list_points() {
+  const std::size_t n = points_.size;
+  if (n >= kManyPoints || varies_) return;
+  listed_.resize(5 * n);
+  for (std::size_t rank = 0; rank < n; ++rank) {
+    const MeasuredPoint point = points_.at(index_of(rank));
+    double* to = listed_.data() + rank;
+    for (const double value : {point.P, point.T, point.A, point.sigma_T, point.sigma_A}) {
+      *to = value;
+      to += n;
+    }
+  }
 }
 
 /// Sorts by load, so that the points of one curve are processed together. Consecutive points with the same load are
@@ -226,26 +242,34 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
   return own;
 }
 
-bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
-                               const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
-  const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
-  const bool varies = varies_ || has_changes(at.constants), places_act = varies || !choice_.constants().empty();
-  ConstantsScale scale(at.constants);
-  const auto array = [&](std::size_t which) { return workspace.array(which, n); };
-  const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
-  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 11 * workspace.size, n * p}};
-  const bool near = points.at(index_of(begin)).near_A > 0;
-  if (!wanted.places.empty()) {
-    out.place_T = wanted.places.subspan(begin, n);
-    out.place_A = wanted.places.subspan(points.size + begin, n);
-  } else if (wanted.nearest || near) {
-    out.place_T = array(9);
-    out.place_A = array(10);
+/// Fills the arrays of a block with scaled points, and sets where the search for the nearest places starts.
+void CurveObjective::scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin,
+                                 Workspace& workspace, CurveDistances& out) const {
+  const std::size_t n = out.r.size();
+  ConstantsScale scale(constants);
+  const auto array = [&](std::size_t which) { return workspace.array(which, n).data(); };
+  double *const P = array(0), *const T = array(1), *const A = array(2), *const sigma_T = array(3),
+                *const sigma_A = array(4);
+  if (!listed_.empty() && &points == &points_ && !has_changes(constants)) {
+    const auto from = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
+    for (std::size_t i = 0; i < n; ++i) {
+      P[i] = scale.load(from(0)[i]);
+      T[i] = scale.shear(from(1)[i]);
+      A[i] = scale.true_area(from(2)[i]);
+      sigma_T[i] = scale.force * from(3)[i];
+      sigma_A[i] = scale.area * from(4)[i];
+    }
+    return;
+  }
+  const bool varies = varies_ || has_changes(constants), near = points.at(index_of(begin)).near_A > 0;
+  if (near && out.place_A.empty()) {
+    out.place_T = workspace.array(9, n);
+    out.place_A = workspace.array(10, n);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
   for (std::size_t i = 0; i < n; ++i) {
     const MeasuredPoint point = points.at(index_of(begin + i));
-    if (varies) scale = ConstantsScale(at.constants, point.place);
+    if (varies) scale = ConstantsScale(constants, point.place);
     if (near && !(out.place_A[i] > 0)) {
       out.place_T[i] = std::abs(scale.shear(point.near_T));
       out.place_A[i] = scale.true_area(point.near_A);
@@ -255,31 +279,51 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     A[i] = scale.true_area(point.A);
     sigma_T[i] = scale.force * point.sigma_T;
     sigma_A[i] = scale.area * point.sigma_A;
-    if (!(A[i] > 0)) return false;
   }
+}
+
+bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
+                               const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
+  const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
+  const auto array = [&](std::size_t which) { return workspace.array(which, n); };
+  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 11 * workspace.size, n * p}};
+  if (!wanted.places.empty()) {
+    out.place_T = wanted.places.subspan(begin, n);
+    out.place_A = wanted.places.subspan(points.size + begin, n);
+  } else if (wanted.nearest) {
+    out.place_T = array(9);
+    out.place_A = array(10);
+    std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
+  }
+  scale_block(at.constants, points, begin, workspace, out);
+  const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
+  if (!std::all_of(A.begin(), A.end(), [](double one) { return one > 0; })) return false;
   if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search,
                                !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
+  const auto to = [&](std::size_t i) { return range.first ? begin + i - *range.first : index_of(begin + i); };
+  for (std::size_t i = 0; i < n; ++i) wanted.residuals[to(i)] = out.r[i];
+  if (wanted.jacobian.empty() && !wanted.nearest) return true;
+  const bool varies = varies_ || has_changes(at.constants), places_act = varies || choice_.has_changes();
+  ConstantsScale scale(at.constants);
+  PointPlace place{};
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t index = index_of(begin + i), to = range.first ? begin + i - *range.first : index;
-    wanted.residuals[to] = out.r[i];
-    if (wanted.jacobian.empty() && !wanted.nearest) continue;
-    const PointPlace place = places_act ? points.at(index).place : PointPlace{};  // drifts act at T = 0, too
+    if (places_act) place = points.at(index_of(begin + i)).place;  // drifts act at T = 0, too
     if (varies) scale = ConstantsScale(at.constants, place);
     if (wanted.nearest) {
       const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
       const double load_A = out.dA[i] * sigma_A[i], size = std::hypot(load_T, load_A);
-      wanted.nearest->T[to] = out.place_T[i] / scale.force - scale.shear_offset;
-      wanted.nearest->A[to] = scale.measured_area(out.place_A[i]);
-      wanted.nearest->load_T[to] = load_T / size;
-      wanted.nearest->load_A[to] = load_A / size;
+      wanted.nearest->T[to(i)] = out.place_T[i] / scale.force - scale.shear_offset;
+      wanted.nearest->A[to(i)] = scale.measured_area(out.place_A[i]);
+      wanted.nearest->load_T[to(i)] = load_T / size;
+      wanted.nearest->load_A[to(i)] = load_A / size;
     }
     if (wanted.jacobian.empty()) continue;
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
     const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
                                 of_error(out.dA[i], sigma_A[i])};
-    choice_.fill_row(wanted.jacobian.subspan(to * width, width), out.parameters.data() + i * p, slopes,
-                     {P[i], T[i], A[i], 0, 0, place}, scale);
+    choice_.fill_row(wanted.jacobian.subspan(to(i) * width, width), out.parameters.data() + i * p, slopes,
+                     {P[i], T[i], A[i]}, scale, place);
   }
   return true;
 }

@@ -61,6 +61,7 @@ class CurveObjective final : public ModelProblem {
     std::optional<std::size_t> first{};
   };
   void sort_points();
+  void list_points();
   std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
   void whiten(std::span<double> jacobian) const;
   void take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const;
@@ -71,6 +72,8 @@ class CurveObjective final : public ModelProblem {
   }
   bool some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range, Search search,
                    const Wanted& wanted) const;
+  void scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin, Workspace& workspace,
+                   CurveDistances& out) const;
   /// The parameters of a run, clamped to their ranges.
   Candidate of_run(const Candidate& of_all, std::size_t run) const;
   bool one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
@@ -81,6 +84,7 @@ class CurveObjective final : public ModelProblem {
   std::vector<double> expected_;
   std::shared_ptr<const Whitening> whitening_;
   std::vector<ParameterValues> shifts_;  // per run; empty: none
+  std::vector<double> listed_;           // P, T, A and their errors by rank, if no run has constants of its own
   std::vector<std::size_t> blocks_;      // the rank at which each block begins, and the end of the last
   bool varies_ = false;                  // the constants differ from run to run
   double data_norm_ = 0;

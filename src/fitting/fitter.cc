@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "fitting/explanations.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
 #include "solver/verdict.h"
@@ -13,6 +14,9 @@ namespace mixity {
 namespace {
 
 constexpr int kMostRestarts = 3;
+/// The gradient at which refits stop: their values are off by as much of a standard error, times the root of the number
+/// of points.
+constexpr double kNearEnough = 1e-10;
 
 /// The number of distinct points, counted up to `enough`: repeated rows carry no information about errors.
 std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
@@ -43,6 +47,7 @@ Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions&
   if (purpose_ != Purpose::shown) {
     solver_.engine = Engine::kernel;
     solver_.last_digits = false;
+    solver_.kernel_stationary = solver_.kernel_stationary_of_several = kNearEnough;
   }
   if (purpose_ == Purpose::tried) solver_.most_iterations_shown = solver_.most_iterations;
 }
@@ -78,6 +83,8 @@ FitResult Fitter::run() {
   }
   suspect_wide_errors();
   if (checked()) test_residuals(x);
+  // An explanation whose residuals fail is dropped: whether its runs differ is of no interest.
+  if (some && purpose_ == Purpose::tried && explains(data_, result_)) test_runs(x);
   return std::move(result_);
 }
 
@@ -105,7 +112,7 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     result_.sum_of_squares *= unit_ * unit_;
     if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
     if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
-    if (deeper.empty() && (checked() || purpose_ == Purpose::tried)) test_runs(x);
+    if (deeper.empty() && checked()) test_runs(x);
     if (deeper.empty() && checked()) add_evidence(verdict);
     if (deeper.empty() || again == kMostRestarts) return verdict;
     starting_.guesses.push_back(deeper);

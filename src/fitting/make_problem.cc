@@ -67,8 +67,13 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   source.near = data.points.size() >= kManyPoints && prepared.errors && !prepared.errors->place_T.empty();
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
-  return {prepared.used.size(),
-          [shared = std::make_shared<const Source>(std::move(source))](std::size_t k) { return shared->at(k); }};
+  const std::size_t n = prepared.used.size();
+  if (n >= kManyPoints)
+    return {n, [shared = std::make_shared<const Source>(std::move(source))](std::size_t k) { return shared->at(k); }};
+  std::vector<MeasuredPoint> list;
+  list.reserve(n);
+  for (std::size_t k = 0; k < n; ++k) list.push_back(source.at(k));
+  return list;
 }
 
 /// Per run: deviations of the model's parameters from the common ones; empty if none differ.

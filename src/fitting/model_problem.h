@@ -1,6 +1,7 @@
 // A least-squares problem in the parameters of a model and free constants of the experiment.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -26,17 +27,22 @@ struct MeasuredPoint {
   double near_T = 0, near_A = 0;  // a reading of a place near the nearest point of the curve; A = 0: not known
 };
 
-/// Measured points, each computed on demand: an array of millions would be most of the memory of a fit.
-struct MeasuredPoints {
-  std::size_t size;
-  std::function<MeasuredPoint(std::size_t)> at;  // several threads may call it
-
-  MeasuredPoints(std::size_t n, std::function<MeasuredPoint(std::size_t)> point) : size(n), at(std::move(point)) {}
+/// Measured points. Those of a large data set are computed on demand: an array of millions would be most of the memory
+/// of a fit.
+class MeasuredPoints {
+ public:
+  using Maker = std::function<MeasuredPoint(std::size_t)>;  // several threads may call it
+  MeasuredPoints(std::size_t n, Maker make) : size(n), make_(std::move(make)) {}
   MeasuredPoints(std::vector<MeasuredPoint> list)
-      : size(list.size()),
-        at([all = std::make_shared<const std::vector<MeasuredPoint>>(std::move(list))](std::size_t i) {
-          return (*all)[i];
-        }) {}
+      : size(list.size()), list_(std::make_shared<const std::vector<MeasuredPoint>>(std::move(list))) {}
+
+  MeasuredPoint at(std::size_t i) const { return list_ ? (*list_)[i] : make_(i); }
+
+  std::size_t size;
+
+ private:
+  std::shared_ptr<const std::vector<MeasuredPoint>> list_;
+  Maker make_;
 };
 
 /// Which parameters are free, in the solver's order, and at which values the others are held.
@@ -51,18 +57,25 @@ class FreeChoice {
   const std::vector<std::size_t>& of_model() const { return of_model_; }  // indices of free model parameters
   const std::vector<Constant>& constants() const { return constants_; }   // after them
   std::size_t size() const { return parameters_.size(); }
+  /// Whether a constant is free that acts on some points more than on others.
+  bool has_changes() const {
+    return std::any_of(constants_.begin(), constants_.end(), [](Constant one) { return is_change(one); });
+  }
 
   const Constants& fixed_constants() const { return base_.constants; }  // the values of those that are not free
   Candidate candidate(std::span<const double> x) const;
 
   /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all model parameters; `slopes`: those
   /// in the measured values, at the scaled point.
-  void fill_row(std::span<double> row, const double* by_parameter, const ResidualSlopes& slopes,
-                const MeasuredPoint& scaled, const ConstantsScale& scale) const {
+  struct Scaled {
+    double P, T, A;
+  };
+  void fill_row(std::span<double> row, const double* by_parameter, const ResidualSlopes& slopes, const Scaled& scaled,
+                const ConstantsScale& scale, const PointPlace& place) const {
     std::size_t k = 0;
     for (const std::size_t parameter : of_model_) row[k++] = by_parameter[parameter];
     for (const Constant constant : constants_)
-      row[k++] = slopes.in(constant, scaled.P, scaled.T, scaled.A, scale, scaled.place);
+      row[k++] = slopes.in(constant, scaled.P, scaled.T, scaled.A, scale, place);
   }
 
  private:

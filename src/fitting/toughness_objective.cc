@@ -178,8 +178,8 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
       const PointPlace place = points_.at(i).place;
       if (varies) scale = ConstantsScale(at.constants, place);
       const std::span<double> row = jacobian.subspan(i * width, width);
-      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j], 0, 0, place},
-                       scale);
+      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j]}, scale,
+                       place);
       for (double& slope : row) {
         slope *= weights_[i];
         finite &= std::isfinite(slope);

@@ -27,15 +27,16 @@ class Distances {
     const std::size_t n = points_.P.size();
     for (std::size_t from = 0; from < n; from += kBlock) {
       const std::size_t count = std::min(kBlock, n - from);
-      for (std::size_t slot = 0; slot < kBlock; ++slot) {
-        const std::size_t i = from + std::min(slot, count - 1);
-        if (!valid(points_, i)) return false;
-        set_point(block_, slot, points_, i);
-      }
+      if (!valid(points_, from, count)) return false;
+      set_points(block_, points_, from, count);
       if (begin_nearby(from, count))
         run_block<Begin::nearby>(family_, kSteps, true, block_, result_);
       else
         run_block<Begin::at_the_point>(family_, search_ == Search::rough ? 0 : kSteps, derivatives_, block_, result_);
+      if (all_inside()) {
+        if (!write_all(from, count)) return false;
+        continue;
+      }
       for (std::size_t slot = 0; slot < count; ++slot) {
         const bool settled =
             block_.settled[slot] > 0 && result_.on_curve[slot] > 0 && std::isfinite(result_.distance[slot]);
@@ -170,6 +171,46 @@ class Distances {
       if (!write(better ? block_ : unmoved, better ? result_ : unmoved_, slot, left_[from + slot].index)) return false;
     }
     return true;
+  }
+
+  /// Whether all points of the block are proven to be nearest to a place between the ends of the curve.
+  bool all_inside() const {
+    double least = 1, ends = 0;
+    for (std::size_t slot = 0; slot < kBlock; ++slot) {
+      least = std::min(least, std::min(result_.sure[slot], block_.settled[slot]));
+      ends += block_.at_end[slot];
+    }
+    return least > 0 && ends == 0;
+  }
+
+  /// The same as write() for each of these points.
+  bool write_all(std::size_t from, std::size_t count) {
+    constexpr double kFinite = std::numeric_limits<double>::max();
+    bool finite = true;
+    const auto copy = [&](const Packed& values, double* to) {
+      for (std::size_t slot = 0; slot < count; ++slot) {
+        to[slot] = values[slot];
+        finite &= std::abs(values[slot]) <= kFinite;
+      }
+    };
+    copy(result_.r, &out_.r[from]);
+    if (!out_.place_A.empty()) {
+      std::copy_n(block_.T.begin(), count, &out_.place_T[from]);
+      std::copy_n(block_.A.begin(), count, &out_.place_A[from]);
+    }
+    for (const double slope : result_.dA) finite &= std::abs(slope) <= kFinite;
+    if (!derivatives_) return finite;
+    copy(result_.dP, &out_.dP[from]);
+    copy(result_.dT, &out_.dT[from]);
+    copy(result_.dA, &out_.dA[from]);
+    for (std::size_t slot = 0; slot < count; ++slot) out_.dT[from + slot] *= std::copysign(1.0, points_.T[from + slot]);
+    const std::size_t p = family_.p.size();
+    for (std::size_t k = 0; k < p; ++k)
+      for (std::size_t slot = 0; slot < count; ++slot) {
+        out_.parameters[(from + slot) * p + k] = result_.parameters[k][slot];
+        finite &= std::abs(result_.parameters[k][slot]) <= kFinite;
+      }
+    return finite;
   }
 
   bool write(Block& block, Result<Law>& result, std::size_t slot, std::size_t i) {

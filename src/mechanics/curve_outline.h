@@ -168,22 +168,36 @@ struct Approach {
 inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
                        std::size_t most, std::vector<Approach>& found) {
   found.clear();
-  Approach before{std::numeric_limits<double>::infinity(), {}, 0};
+  double before = std::numeric_limits<double>::infinity(), share_before = 0;
   bool nearing = true;
+  const auto keep = [&](std::size_t segment) {  // the distance as its square, until all are found
+    const PlanePlace &from = places[segment], &to = places[segment + 1];
+    found.push_back({before,
+                     {from.T + share_before * (to.T - from.T), from.A + share_before * (to.A - from.A)},
+                     static_cast<int>(segment)});
+  };
+  double x = (places[0].T - point.T) * per_T, z = (places[0].A - point.A) * per_A;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const double x = (places[i].T - point.T) * per_T, z = (places[i].A - point.A) * per_A;
-    const double dx = (places[i + 1].T - places[i].T) * per_T, dz = (places[i + 1].A - places[i].A) * per_A;
-    const double square = dx * dx + dz * dz;
+    const double x_end = (places[i + 1].T - point.T) * per_T, z_end = (places[i + 1].A - point.A) * per_A;
+    const double dx = x_end - x, dz = z_end - z, square = dx * dx + dz * dz;
     const double share = square > 0 ? std::clamp(-(x * dx + z * dz) / square, 0.0, 1.0) : 0.5;
-    const Approach here{
-        std::hypot(x + share * dx, z + share * dz),
-        {places[i].T + share * (places[i + 1].T - places[i].T), places[i].A + share * (places[i + 1].A - places[i].A)},
-        static_cast<int>(i)};
-    if (here.distance > before.distance && nearing) found.push_back(before);
-    nearing = here.distance <= before.distance;
+    const double along = x + share * dx, across = z + share * dz, here = along * along + across * across;
+    if (here > before && nearing) keep(i - 1);
+    nearing = here <= before;
     before = here;
+    share_before = share;
+    x = x_end;
+    z = z_end;
   }
-  if (nearing) found.push_back(before);
+  if (nearing) keep(places.size() - 2);
+  constexpr double kFar = 1e-160;
+  if (std::any_of(found.begin(), found.end(), [](const Approach& one) { return std::isinf(one.distance); }) &&
+      per_T > kFar && per_A > kFar) {  // squares overflow
+    approaches(places, point, kFar * per_T, kFar * per_A, most, found);
+    for (Approach& one : found) one.distance /= kFar;
+    return;
+  }
+  for (Approach& one : found) one.distance = std::sqrt(one.distance);
   std::sort(found.begin(), found.end(), [](const Approach& a, const Approach& b) { return a.distance < b.distance; });
   if (found.size() > most) found.resize(most);
 }

@@ -51,11 +51,16 @@ void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Bloc
   return derivatives ? measure_by_two<true>(family, block, result) : measure_by_two<false>(family, block, result);
 }
 
-inline bool valid(const PlanePoints& points, std::size_t i) {
-  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
-  return std::abs(points.P[i]) <= kLargestLoad && above_pull_off(points.P[i]) >= 0 &&
-         std::abs(points.T[i]) <= kLargestLoad && positive(points.A[i]) && positive(points.sigma_T[i]) &&
-         positive(points.sigma_A[i]);
+/// Whether these points can be measured ones. Without branches, so that the loop is vectorised.
+inline bool valid(const PlanePoints& points, std::size_t from, std::size_t count) {
+  constexpr double kFinite = std::numeric_limits<double>::max();
+  const auto positive = [](double x) { return (x > 0) & (x <= kFinite); };
+  bool all = true;
+  for (std::size_t i = from; i < from + count; ++i)
+    all &= (std::abs(points.P[i]) <= kLargestLoad) & (above_pull_off(points.P[i]) >= 0) &
+           (std::abs(points.T[i]) <= kLargestLoad) & positive(points.A[i]) & positive(points.sigma_T[i]) &
+           positive(points.sigma_A[i]);
+  return all;
 }
 
 inline void set_point(Block& block, std::size_t slot, const PlanePoints& points, std::size_t i) {
@@ -66,6 +71,15 @@ inline void set_point(Block& block, std::size_t slot, const PlanePoints& points,
   block.sigma_A[slot] = points.sigma_A[i];
   block.per_T[slot] = 1 / points.sigma_T[i];
   block.per_A[slot] = 1 / points.sigma_A[i];
+}
+
+/// Fills a block with `count` points; the idle slots repeat the last.
+inline void set_points(Block& block, const PlanePoints& points, std::size_t from, std::size_t count) {
+  if (count == kBlock)
+    for (std::size_t slot = 0; slot < kBlock; ++slot) set_point(block, slot, points, from + slot);
+  else
+    for (std::size_t slot = 0; slot < kBlock; ++slot)
+      set_point(block, slot, points, from + std::min(slot, count - 1));
 }
 
 /// Replaces the derivatives in `out`, those of -F/|grad F|, by those of the distance from an end or a corner of the

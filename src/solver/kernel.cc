@@ -1,6 +1,7 @@
 #include "solver/kernel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/linear_algebra.h"
@@ -23,26 +24,22 @@ class GeneralCost final : public Cost {
     cost.hessian.setZero(p, p);
     cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
     if (!cost.finite) return;
-    if (weights.empty() && p > 1) {
-      const auto J = as_matrix(jacobian_, x.size());
-      const auto r = as_vector(residuals_);
+    if (p == 1) return sum<1>(weights, cost);
+    if (p == 2) return sum<2>(weights, cost);
+    if (p == 3) return sum<3>(weights, cost);
+    const auto J = as_matrix(jacobian_, x.size());
+    const auto r = as_vector(residuals_);
+    if (weights.empty()) {
       cost.value = r.squaredNorm();
       cost.gradient.noalias() = J.transpose() * r;
       cost.hessian.noalias() = J.transpose() * J;
-      finish(cost);
-      return;
+    } else {
+      const auto W = Eigen::Map<const Eigen::VectorXd>(weights.data(), r.size());
+      const Eigen::MatrixXd WJ = W.asDiagonal() * J;
+      cost.value = r.dot(W.cwiseProduct(r));
+      cost.gradient.noalias() = WJ.transpose() * r;
+      cost.hessian.noalias() = WJ.transpose() * J;
     }
-    for (std::size_t i = 0; i < residuals_.size(); ++i) {
-      const double w = weights.empty() ? 1 : weights[i], r = residuals_[i];
-      const double* const row = jacobian_.data() + i * x.size();
-      cost.value += w * r * r;
-      for (Eigen::Index k = 0; k < p; ++k) {
-        cost.gradient[k] += w * r * row[k];
-        for (Eigen::Index l = 0; l <= k; ++l) cost.hessian(k, l) += w * row[k] * row[l];
-      }
-    }
-    for (Eigen::Index k = 0; k < p; ++k)
-      for (Eigen::Index l = 0; l < k; ++l) cost.hessian(l, k) = cost.hessian(k, l);
     finish(cost);
   }
 
@@ -50,6 +47,30 @@ class GeneralCost final : public Cost {
   void restore() override { memory_ = kept_; }
 
  private:
+  /// For few parameters: Eigen's products of such narrow matrices need several times as long.
+  template <int kCount>
+  void sum(std::span<const double> weights, CostValue& cost) const {
+    std::array<double, kCount> gradient{};
+    std::array<std::array<double, kCount>, kCount> hessian{};
+    double value = 0;
+    for (std::size_t i = 0; i < residuals_.size(); ++i) {
+      const double w = weights.empty() ? 1 : weights[i], r = residuals_[i];
+      const double* const row = jacobian_.data() + i * kCount;
+      value += w * r * r;
+      for (std::size_t k = 0; k < kCount; ++k) {
+        gradient[k] += w * r * row[k];
+        for (std::size_t l = 0; l <= k; ++l) hessian[k][l] += w * row[k] * row[l];
+      }
+    }
+    cost.value = value;
+    for (int k = 0; k < kCount; ++k) {
+      cost.gradient[k] = gradient[static_cast<std::size_t>(k)];
+      for (int l = 0; l < kCount; ++l)
+        cost.hessian(k, l) = hessian[static_cast<std::size_t>(std::max(k, l))][static_cast<std::size_t>(std::min(k, l))];
+    }
+    finish(cost);
+  }
+
   static void finish(CostValue& cost) {
     cost.slope_size = cost.hessian.diagonal().cwiseSqrt();
     cost.finite = std::isfinite(cost.value) && cost.gradient.allFinite() && cost.hessian.allFinite();

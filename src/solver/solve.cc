@@ -126,8 +126,10 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
   found.started = !list.empty();
 
   Minima minima(problem, options);
+  // The kernel's minimum is the result of a refit that does not ask for the last digits.
+  const bool refit = !starting.near.empty() && options.engine == Engine::kernel && !options.last_digits;
   SolverOptions exploring = options;
-  if (p > 1) {
+  if (p > 1 && !refit) {
     exploring.most_iterations = options.most_iterations_of_a_start;
     exploring.kernel_stationary_of_several = options.stationary;
   }
@@ -158,7 +160,7 @@ FoundMinima find_minima(const Problem& problem, const StartingPoints& starting, 
   Minimum& best = found.list.front();
   if (p == 1 && best.slow && starting.near.empty()) best = lowest_nearby(problem, best, options);
   // The kernel found it; the engine of the options takes it to the last digits.
-  if (p > 1 || options.engine != Engine::kernel)
+  if (!refit && (p > 1 || options.engine != Engine::kernel))
     if (const auto minimum = descend(problem, best.x, options);
         minimum && (minimum->stationary || lower(*minimum, best)))
       best = *minimum;
@@ -186,22 +188,31 @@ SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& st
     return SolvedWithPriors{solve(ProblemWithPriors(of_data, unit), from, with), unit};
   };
   if (data.known_errors() || n <= unknown) return at_unit(1, starting, options);
-  std::vector<double> residuals(n);
-  const auto unit_at = [&](const std::vector<double>& x) {
-    const auto square = x.empty() ? std::nullopt : sum_of_squares(of_data, x, residuals);
-    return square ? std::sqrt(*square / static_cast<double>(n - unknown)) : 0.0;
+  const auto priors_at = [&](const std::vector<double>& x) {
+    double sum = 0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (const FreeParameter& one = data.parameters()[k]; one.prior > 0)
+        sum += std::pow((x[k] - *one.start) / one.prior, 2);
+    return sum;
+  };
+  // The unit at a place whose cost is known in another unit.
+  const auto unit_of = [&](double cost, const std::vector<double>& x, double unit) {
+    const double square = (cost - priors_at(x)) * unit * unit;
+    return square > 0 ? std::sqrt(square / static_cast<double>(n - unknown)) : 0.0;
   };
   // The kernel first finds the unit, without a verdict.
   SolverOptions quick = options;
   quick.engine = Engine::kernel;
   quick.stationary = quick.kernel_stationary_of_several = 1e-6;  // the error of the cost is its square
-  const auto settle = [&](std::vector<double> x) {
-    double unit = unit_at(x);
+  const auto settle = [&](std::vector<double>& x) {
+    std::vector<double> residuals(n);
+    const auto square = x.empty() ? std::nullopt : sum_of_squares(of_data, x, residuals);
+    double unit = square ? std::sqrt(*square / static_cast<double>(n - unknown)) : 0.0;
     for (int i = 0; i < kMostRounds && unit > 0; ++i) {
       const auto minimum = Kernel(ProblemWithPriors(nearby, unit), quick).descend(x);
       if (!minimum || !minimum->stationary) break;
       x = minimum->x;
-      const double there = unit_at(x);
+      const double there = unit_of(minimum->sum_of_squares, x, unit);
       if (!(there > 0) || std::abs(there - unit) <= kSettled * unit) break;
       unit = there;
     }
@@ -212,9 +223,10 @@ SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& st
   for (int i = 0; i < kMostRounds; ++i) {
     const double unit = settle(x);
     if (!(unit > 0)) break;
-    found = at_unit(unit, i == 0 ? starting : StartingPoints{x}, options);
-    x = found->verdict.best.x;
-    if (std::abs(unit_at(x) - unit) <= kSettled * unit) break;
+    found = at_unit(unit, i == 0 && starting.near.empty() ? starting : StartingPoints{x}, options);
+    const Minimum& best = found->verdict.best;
+    x = best.x;
+    if (x.empty() || std::abs(unit_of(best.sum_of_squares, x, unit) - unit) <= kSettled * unit) break;
   }
   return found ? std::move(*found) : at_unit(1, starting, options);
 }

@@ -63,11 +63,29 @@ class Likelihood {
   explicit Likelihood(const Deviations& rows) : rows_(rows), variances_(rows.size()) {}
 
   /// ln L; minus infinity where a variance is 0.
+  double at(const Vector& theta) { return rows_.components == kUsual ? at<kUsual>(theta) : at<0>(theta); }
+
+  /// One step of weighted least squares at the variances of the last call of at().
+  std::optional<Vector> next(std::uint32_t allowed) const {
+    return rows_.components == kUsual ? next<kUsual>(allowed) : next<0>(allowed);
+  }
+
+ private:
+  static constexpr std::size_t kUsual = 4;  // a constant and a share of each axis
+
+  /// Loops of known length need a third of the time. kCount: the number of components; 0: known at run time.
+  template <std::size_t kCount>
+  std::size_t count() const {
+    return kCount > 0 ? kCount : rows_.components;
+  }
+
+  template <std::size_t kCount>
   double at(const Vector& theta) {
+    const std::size_t m = count<kCount>();
     double sum = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       double v = rows_.fixed[i];
-      for (std::size_t k = 0; k < rows_.components; ++k) v += theta[k] * rows_.shapes[i * rows_.components + k];
+      for (std::size_t k = 0; k < m; ++k) v += theta[k] * rows_.shapes[i * m + k];
       if (!(v > 0)) return -std::numeric_limits<double>::infinity();
       variances_[i] = v;
       sum -= rows_.shares[i] * (std::log(v) + rows_.squares[i] / v) / 2;
@@ -75,24 +93,24 @@ class Likelihood {
     return sum;
   }
 
-  /// One step of weighted least squares at the variances of the last call of at().
+  template <std::size_t kCount>
   std::optional<Vector> next(std::uint32_t allowed) const {
+    const std::size_t m = count<kCount>();
     Matrix N{};
     Vector b{};
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const double weight = rows_.shares[i] / (variances_[i] * variances_[i]);
-      const double* shape = &rows_.shapes[i * rows_.components];
-      for (std::size_t k = 0; k < rows_.components; ++k) {
+      const double* shape = &rows_.shapes[i * m];
+      for (std::size_t k = 0; k < m; ++k) {
         b[k] += weight * shape[k] * (rows_.squares[i] - rows_.fixed[i]);
         for (std::size_t l = 0; l <= k; ++l) N[k][l] += weight * shape[k] * shape[l];
       }
     }
-    for (std::size_t k = 0; k < rows_.components; ++k)
+    for (std::size_t k = 0; k < m; ++k)
       for (std::size_t l = 0; l < k; ++l) N[l][k] = N[k][l];
     return non_negative(N, b, allowed);
   }
 
- private:
   const Deviations& rows_;
   std::vector<double> variances_;
 };
