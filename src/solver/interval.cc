@@ -89,6 +89,7 @@ Profile::Profile(const Problem& problem, const Minimum& best, double decrease, c
 }
 
 void Profile::begin(std::size_t k) {
+  if (k != k_ || found_.empty()) found_ = {best_.x};
   k_ = k;
   x_ = best_.x;
   last_ = best_;
@@ -96,7 +97,7 @@ void Profile::begin(std::size_t k) {
 
 /// To first order the minimum over the others moves by -H_oo^-1 H_ok per unit of parameter k; the remaining gradient at
 /// the anchor is corrected, too.
-std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value, double decrease) {
+std::vector<double> Profile::along_tangent(const Anchor& anchor, double value) const {
   const auto k = static_cast<Eigen::Index>(k_);
   std::vector<double> x = anchor.x;
   std::vector<Eigen::Index> others;
@@ -113,8 +114,39 @@ std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double v
   if (shift.allFinite())
     for (std::size_t i = 0; i < others.size(); ++i)
       x[static_cast<std::size_t>(others[i])] += shift[static_cast<Eigen::Index>(i)];
-  if (auto minimum = kernel_.descend_held(x, k_, decrease)) return minimum;
-  x = anchor.x;
+  return x;
+}
+
+std::vector<double> Profile::predicted(const Anchor& anchor, double value) const {
+  constexpr std::size_t kFewest = 4, kMost = 7;  // minima; more hardly predict better
+  std::vector<double> tangent = along_tangent(anchor, value);
+  if (found_.size() < kFewest) return tangent;
+  std::vector<const std::vector<double>*> nearest;
+  for (const auto& one : found_) nearest.push_back(&one);
+  const std::size_t n = std::min(kMost, nearest.size());
+  std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(n), nearest.end(),
+                    [&](const auto* x, const auto* y) { return std::abs((*x)[k_] - value) < std::abs((*y)[k_] - value); });
+  std::vector<double> x = tangent, column(n);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (i == k_) continue;
+    for (std::size_t j = 0; j < n; ++j) column[j] = (*nearest[j])[i];
+    double before = column[0];
+    for (std::size_t order = 1; order < n; ++order) {  // Neville's scheme
+      before = column[0];
+      for (std::size_t j = 0; j + order < n; ++j) {
+        const double one = (*nearest[j])[k_], other = (*nearest[j + order])[k_];
+        column[j] = ((value - other) * column[j] + (one - value) * column[j + 1]) / (one - other);
+      }
+    }
+    if (!(std::abs(column[0] - before) < std::abs(column[0] - tangent[i]))) return tangent;
+    x[i] = problem_.parameters()[i].clamped(column[0]);
+  }
+  return x;
+}
+
+std::optional<Kernel::Held> Profile::descend_from(const Anchor& anchor, double value, double decrease) {
+  if (auto minimum = kernel_.descend_held(predicted(anchor, value), k_, decrease)) return minimum;
+  std::vector<double> x = anchor.x;
   x[k_] = value;
   return kernel_.descend_held(x, k_, decrease);
 }
@@ -140,6 +172,8 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
   if (!minimum) return std::nullopt;
   last_ = std::move(here);
   x_ = last_.x;
+  const bool known = std::any_of(found_.begin(), found_.end(), [&](const auto& one) { return one[k_] == value; });
+  if (minimum->settled && !known) found_.push_back(x_);
   return Value{minimum->cost, minimum->slope, minimum->settled};
 }
 

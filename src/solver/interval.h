@@ -49,6 +49,10 @@ class Profile {
     std::vector<double> x;
     CostValue cost;
   };
+  /// The others to first order from the anchor; not finite where they cannot be solved for.
+  std::vector<double> along_tangent(const Anchor& anchor, double value) const;
+  /// The others by interpolation between the nearest minima; the tangent's if that is not clearly better.
+  std::vector<double> predicted(const Anchor& anchor, double value) const;
   std::optional<Kernel::Held> descend_from(const Anchor& anchor, double value, double decrease);
 
   const Problem& problem_;
@@ -57,6 +61,7 @@ class Profile {
   Kernel kernel_;
   std::vector<double> x_;
   Anchor best_, last_;
+  std::vector<std::vector<double>> found_;  // minima along parameter k
 };
 
 /// For each parameter the values between which the cost, minimised over the others, rises by at most `allowance`. An
