@@ -15,6 +15,7 @@ namespace mixity {
 namespace {
 
 constexpr std::size_t kMostConstants = 5;
+constexpr double kNear = 20;  // the misfit beyond that of another model up to which a cause is of interest
 
 /// Exact constants that the tests suggest to free, and uncertain ones far from their stated values.
 std::vector<Constant> suspected_constants(const FitResult& fit) {
@@ -182,7 +183,7 @@ double implausibility(const Case& of, const Cause& cause) {
 /// Whether the fit with this constant free may come near the misfit of the model that fits far better. Far from its
 /// minimum the linearised fall of chi^2 is too small, but not by this factor.
 bool may_reach(const Case& of, Constant constant) {
-  constexpr double kAtMost = 3, kNear = 20;
+  constexpr double kAtMost = 3;
   const FitResult& fit = of.fit;
   const auto exact = std::find_if(fit.budget->exact.begin(), fit.budget->exact.end(),
                                   [&](const ExactConstant& one) { return one.constant == kConstantNames[constant]; });
@@ -203,10 +204,13 @@ bool is_hopeless(const Dataset& data, const FitResult& fit) {
 
 }  // namespace
 
+double misfit(double squares, double log_variances, std::size_t points, bool known_errors) {
+  const auto n = static_cast<double>(points);
+  return (known_errors ? squares : n * std::log(squares / n)) + log_variances;
+}
+
 double misfit(const FitResult& fit) {
-  if (fit.known_errors) return comparable_squares(fit);
-  const auto n = static_cast<double>(fit.used.size());
-  return n * std::log(comparable_squares(fit) / n);
+  return misfit(fit.sum_of_squares, fit.log_variances, fit.used.size(), fit.known_errors);
 }
 
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {
@@ -220,26 +224,29 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
     return !lost && is_found(one.fit) && explains(of.data, one.fit);
   };
   std::vector<Cause> list;
-  const auto consider = [&](const Case& with, const auto& cause) {
+  const auto consider = [&](const Case& with, const Case& with_all, const auto& cause) {
     if (many && !explained(cause(with, some))) return;
-    if (Cause one = cause(with, points); explained(one)) list.push_back(std::move(one));
+    if (Cause one = cause(with_all, points); explained(one)) list.push_back(std::move(one));
   };
   // If another model has won, errors need not be estimated for each cause, and differing runs explain nothing.
   FitOptions bare = of.options;
   bare.fitted_errors = false;
   const Case by_readings{of.data, of.fit, bare, of.refit, of.to_beat};
+  FitOptions near = bare;
+  if (of.to_beat && points.size() == of.fit.used.size()) near.most_misfit = *of.to_beat + kNear;
+  const Case near_the_other{of.data, of.fit, near, of.refit, of.to_beat};
   for (const Constant constant : suspected_constants(of.fit)) {
     const auto cause = [&](const Case& with, const Points& which) { return with_free(with, constant, which); };
     if (of.to_beat) {
-      if (may_reach(of, constant)) consider(by_readings, cause);
+      if (may_reach(of, constant)) consider(by_readings, near_the_other, cause);
     } else if (!is_hopeless(of.data, cause(by_readings, some).fit))
-      consider(of, cause);
+      consider(of, of, cause);
   }
   // A course common to all runs is not a difference between them.
   const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
   if (!of.to_beat && !shared)
     for (const std::string& quantity : differing_quantities(of.fit))
-      consider(of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
+      consider(of, of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
   for (Cause& one : list) one.misfit = misfit(one.fit);
   std::stable_sort(list.begin(), list.end(), [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
   std::erase_if(

@@ -24,6 +24,7 @@ struct Cause {
 
 /// -2 ln L of a fit, up to a constant that depends on the points alone.
 double misfit(const FitResult& fit);
+double misfit(double squares, double log_variances, std::size_t points, bool known_errors);
 
 /// The causes that explain the points and have a misfit within `range` of the best. The first one has the least sum of
 /// misfit and implausibility of its size.

@@ -5,9 +5,11 @@
 #include <set>
 #include <tuple>
 
+#include "fitting/causes.h"
 #include "fitting/explanations.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
+#include "solver/descent.h"
 #include "solver/verdict.h"
 
 namespace mixity {
@@ -55,6 +57,11 @@ Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions&
 FitResult Fitter::run() {
   const bool some = !problem_->parameters().empty();
   if (some && has_too_few_points()) return finished();
+  if (options_.most_misfit && is_beyond(*options_.most_misfit)) {
+    result_.status = FitStatus::not_converged;
+    result_.message = "given up: another model describes the points better";
+    return finished();
+  }
   const bool as_the_paper = purpose_ == Purpose::shown || (some && starting_.near.empty());
   if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
   // rough fractions of the time: until the minimum, and until the resampling
@@ -135,6 +142,20 @@ bool Fitter::has_too_few_points() {
     result_.message = "the loss t needs " + std::to_string(few) + " different points, here are " +
                       std::to_string(distinct) + ": " + Remedy::set("loss", "huber");
   return true;
+}
+
+/// Whether the data alone, near the start, are described worse than that. A fit with priors cannot be better.
+bool Fitter::is_beyond(double most_misfit) const {
+  constexpr double kRoughly = 1e-3;  // the error of the squares is its square
+  if (starting_.near.empty() || !prepared_.errors) return false;
+  SolverOptions quick = solver_;
+  quick.engine = Engine::kernel;
+  quick.last_digits = false;
+  quick.stationary = quick.kernel_stationary = quick.kernel_stationary_of_several = kRoughly;
+  const auto minimum = descend(*problem_, starting_.near, quick);
+  if (!minimum || !minimum->stationary) return false;
+  return misfit(minimum->sum_of_squares, log_variances(data_, prepared_.used, *prepared_.errors), prepared_.used.size(),
+                problem_->known_errors()) > most_misfit;
 }
 
 void Fitter::report_progress(double fraction) const {

@@ -34,6 +34,7 @@ class Fitter {
   Verdict find_parameters(const Progress& progress);
   std::size_t unknown() const;
   bool has_too_few_points();
+  bool is_beyond(double most_misfit) const;
   void report_progress(double fraction) const;
   void describe();
   void fit_as_the_paper();
@@ -44,7 +45,6 @@ class Fitter {
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
   std::optional<NearestPlaces> nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage) const;
-  std::vector<double> leverages_of_data(const Problem& cost, const std::vector<double>& x) const;
   std::optional<ErrorModels> estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
                                               const ErrorModels& before, Stage stage,
                                               const std::vector<std::vector<double>>& own) const;

@@ -106,11 +106,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       x = minimum->x;
       quick.most_iterations = quick.most_iterations_shown = kNextIterations;
     }
-    const auto& objective = static_cast<const CurveObjective&>(*problem_);
     std::vector<double> leverage;
-    if (!many) leverage = leverages_of_data(cost, x);
-    auto nearest = many ? nearest_and_leverages(x, leverage) : leverage.empty() ? std::nullopt : objective.nearest(x);
-    auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
+    auto nearest = nearest_and_leverages(x, leverage);
+    auto expected = nearest ? static_cast<const CurveObjective&>(*problem_).expected(x, *nearest) : std::nullopt;
     if (!expected) return true;
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
@@ -211,7 +209,7 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   if (x.empty() || purpose_ == Purpose::tried) return false;
   const auto& objective = static_cast<const CurveObjective&>(*problem_);
   auto nearest = objective.nearest(x);
-  auto expected = nearest ? objective.expected(x, *nearest) : std::nullopt;
+  auto expected = nearest ? static_cast<const CurveObjective&>(*problem_).expected(x, *nearest) : std::nullopt;
   if (!expected) return false;
   double squares = 0, of_expected = 0;
   for (const double r : nearest->residuals) squares += r * r;
@@ -230,37 +228,31 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   return true;
 }
 
-/// The nearest places, and the leverages of the data's residuals, in one pass over many points.
+/// The nearest places, and the leverages of the data's residuals. Null where they are not defined.
 std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<double>& x,
                                                            std::vector<double>& leverage) const {
-  std::vector<double> jacobian(prepared_.used.size() * x.size());
+  const std::size_t n = prepared_.used.size(), p = x.size();
+  std::vector<double> jacobian(n * p);
   auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x, jacobian);
-  leverage.assign(prepared_.used.size(), 0.0);
+  leverage.assign(n, 0.0);
   if (!nearest || x.empty()) return nearest;
-  const auto J = as_matrix(jacobian, x.size());
-  Eigen::MatrixXd H = J.transpose() * J;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (const double prior = problem_->parameters()[k].prior; prior > 0) H(i, i) += 1 / (prior * prior);
+  std::vector<double> weights;  // of the priors, 0 without one
+  for (const FreeParameter& one : problem_->parameters()) weights.push_back(one.prior > 0 ? 1 / one.prior : 0);
+  const auto J = as_matrix(jacobian, p);
+  if (n < kManyPoints) {
+    Eigen::MatrixXd all(J.rows() + J.cols(), J.cols());
+    all << J, Eigen::MatrixXd(as_vector(weights).asDiagonal());
+    const Eigen::VectorXd found = leverages(std::move(all));
+    std::copy_n(found.begin(), n, leverage.begin());
+    return nearest;
   }
+  Eigen::MatrixXd H = J.transpose() * J;
+  H.diagonal() += as_vector(weights).cwiseAbs2();
   const Eigen::MatrixXd inverse = solve_columns(H, Eigen::MatrixXd::Identity(H.rows(), H.cols()));
   if (!inverse.allFinite()) return std::nullopt;
   for (Eigen::Index i = 0; i < J.rows(); ++i)
     leverage[static_cast<std::size_t>(i)] = J.row(i).dot(inverse * J.row(i).transpose());
   return nearest;
-}
-
-/// Leverages of the data's residuals; empty if the cost cannot be linearised.
-std::vector<double> Fitter::leverages_of_data(const Problem& cost, const std::vector<double>& x) const {
-  std::vector<double> list(prepared_.used.size(), 0.0);
-  if (x.empty()) return list;
-  std::vector<double> jacobian(cost.residual_count() * x.size());
-  if (std::vector<double> residuals(cost.residual_count()); !cost.evaluate(x, residuals, jacobian)) return {};
-  Eigen::MatrixXd J = as_matrix(jacobian, x.size());
-  jacobian = std::vector<double>();
-  const Eigen::VectorXd all = leverages(std::move(J));
-  std::copy_n(all.begin(), list.size(), list.begin());
-  return list;
 }
 
 std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,

@@ -53,6 +53,8 @@ struct FitOptions {
   bool fitted_errors = true;
   /// Errors of all points from an earlier fit of these data; null: from sigma_T, sigma_A, columns or the scatter.
   std::shared_ptr<const StandardErrors> errors{};
+  /// A refit is given up where the least squares without priors have a misfit (causes.h) above this. Null: never.
+  std::optional<double> most_misfit{};
   Loss loss = Loss::none;
   std::optional<double> loss_scale{};  // in standard errors; null: the default of the loss
   bool intervals = true;

@@ -218,7 +218,9 @@ SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& st
     }
     return unit;
   };
-  std::vector<double> x = starting.near.empty() ? at_unit(1, starting, quick).verdict.best.x : starting.near;
+  std::vector<double> x = !starting.near.empty()      ? starting.near
+                          : !starting.guesses.empty() ? starting.guesses.back()
+                                                      : at_unit(1, starting, quick).verdict.best.x;
   std::optional<SolvedWithPriors> found;
   for (int i = 0; i < kMostRounds; ++i) {
     const double unit = settle(x);
