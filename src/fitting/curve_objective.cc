@@ -303,7 +303,14 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     return false;
   const auto to = [&](std::size_t i) { return range.first ? begin + i - *range.first : index_of(begin + i); };
   for (std::size_t i = 0; i < n; ++i) wanted.residuals[to(i)] = out.r[i];
-  if (wanted.jacobian.empty() && !wanted.nearest) return true;
+  if (!wanted.jacobian.empty()) {
+    std::size_t column = 0;
+    for (const std::size_t parameter : choice_.of_model()) {
+      for (std::size_t i = 0; i < n; ++i) wanted.jacobian[to(i) * width + column] = out.parameters[i * p + parameter];
+      ++column;
+    }
+  }
+  if (choice_.constants().empty() && !wanted.nearest) return true;
   const bool varies = varies_ || has_changes(at.constants), places_act = varies || choice_.has_changes();
   ConstantsScale scale(at.constants);
   PointPlace place{};
@@ -322,8 +329,9 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
     const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
                                 of_error(out.dA[i], sigma_A[i])};
-    choice_.fill_row(wanted.jacobian.subspan(to(i) * width, width), out.parameters.data() + i * p, slopes,
-                     {P[i], T[i], A[i]}, scale, place);
+    double* const row = &wanted.jacobian[to(i) * width] + choice_.of_model().size();
+    for (std::size_t k = 0; k < choice_.constants().size(); ++k)
+      row[k] = slopes.in(choice_.constants()[k], P[i], T[i], A[i], scale, place);
   }
   return true;
 }

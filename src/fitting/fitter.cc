@@ -10,6 +10,7 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
 #include "solver/descent.h"
+#include "solver/refit.h"
 #include "solver/verdict.h"
 
 namespace mixity {
@@ -238,6 +239,16 @@ bool Fitter::settle_weights(Verdict& verdict) {
 
 /// Includes the priors of the constants.
 Verdict Fitter::minimum_of(const Problem& data) {
+  if (purpose_ == Purpose::values && !starting_.near.empty()) {
+    if (auto found = refit_near(data, starting_.near, solver_)) {
+      unit_ = found->unit;
+      cost_.emplace(data, unit_);
+      Verdict verdict(starting_.near.size());
+      verdict.status = FitStatus::ok;
+      verdict.best = std::move(found->minimum);
+      return verdict;
+    }
+  }
   SolvedWithPriors solved = solve_with_priors(data, starting_, solver_);
   unit_ = solved.unit;
   cost_.emplace(data, unit_);
