@@ -73,6 +73,13 @@ class Distances {
     return true;
   }
 
+  /// Where Newton's method starts for one remaining point: consecutive slots of the block.
+  struct Starts {
+    Left* left;
+    std::size_t first, count;
+    std::vector<Approach> found;
+  };
+
   void load(std::size_t slot, std::size_t index) {
     set_point(block_, slot, points_, index);
     const CurveBounds ends = curve_bounds(family_, points_.P[index]);
@@ -83,60 +90,79 @@ class Distances {
 
   /// Newton's method from a known point of the curve, where it has not converged yet. A global search also starts from
   /// each part of the curve's outline that comes near the measured point, and from both ends of that part, since there
-  /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section.
+  /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section. Points
+  /// of one load share a block.
   void search_curves() {
     std::optional<RayTable<Law>> table;
     if (search_ == Search::global) table.emplace(family_);
-    std::vector<Approach> found;
     double P = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Starts> together;
+    std::size_t used = 0;
+    const auto run = [&] {
+      if (used > 0) search_from(together, used, table);
+      together.clear();
+      used = 0;
+    };
     for (Left& left : left_) {
-      std::size_t used = 0;
+      const std::size_t i = left.index;
+      if (table && points_.P[i] != P) {
+        run();
+        P = points_.P[i];
+        const CurveBounds ends = curve_bounds(family_, P);
+        table->set_load(P, {ends.T, ends.A});
+      }
+      Starts starts{&left, used, 0, {}};
+      if (table)
+        approaches(table->places(), {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i],
+                   1 / points_.sigma_A[i], kApproaches, starts.found);
+      const bool lost = !std::isfinite(left.place.distance);
+      starts.count = (lost ? 1 : 0) + 3 * starts.found.size();
+      if (starts.count == 0) continue;
+      if (used + starts.count > kBlock) run();
+      starts.first = used;
       const auto begin_at = [&](PlanePlace place) {
-        load(used, left.index);
+        load(used, i);
         block_.T[used] = place.T;
         block_.A[used++] = place.A;
       };
-      if (!std::isfinite(left.place.distance)) {
-        load(0, left.index);
-        const Place known = known_place(family_, block_, 0);
+      if (lost) {
+        load(used, i);
+        const Place known = known_place(family_, block_, used);
         begin_at({known.T, known.A});
       }
-      const std::size_t i = left.index;
-      if (table) {
-        if (points_.P[i] != P) {
-          P = points_.P[i];
-          const CurveBounds ends = curve_bounds(family_, P);
-          table->set_load(P, {ends.T, ends.A});
-        }
-        approaches(table->places(), {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i],
-                   1 / points_.sigma_A[i], kApproaches, found);
-        for (const Approach& approach : found) {
-          begin_at(approach.place);
-          for (const int side : {-1, 2})
-            begin_at(table->places()[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table->last()))]);
-        }
+      for (const Approach& approach : starts.found) {
+        begin_at(approach.place);
+        for (const int side : {-1, 2})
+          begin_at(table->places()[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table->last()))]);
       }
-      if (used == 0) continue;
-      for (std::size_t slot = used; slot < kBlock; ++slot) {  // idle slots repeat the first
-        load(slot, left.index);
-        block_.T[slot] = block_.T[0];
-        block_.A[slot] = block_.A[0];
-      }
-      run_block<Begin::anywhere>(family_, kStepsOfSearch, false, block_, result_);
-      const auto reached = [&](std::size_t slot) {
-        return block_.settled[slot] > 0 && result_.on_curve[slot] > 0 ? result_.distance[slot] : kLargest;
-      };
-      for (std::size_t slot = 0; slot < used; ++slot)
+      together.push_back(std::move(starts));
+    }
+    run();
+  }
+
+  void search_from(const std::vector<Starts>& together, std::size_t used, const std::optional<RayTable<Law>>& table) {
+    for (std::size_t slot = used; slot < kBlock; ++slot) {  // idle slots repeat the first
+      load(slot, together.front().left->index);
+      block_.T[slot] = block_.T[0];
+      block_.A[slot] = block_.A[0];
+    }
+    run_block<Begin::anywhere>(family_, kStepsOfSearch, false, block_, result_);
+    const auto reached = [&](std::size_t slot) {
+      return block_.settled[slot] > 0 && result_.on_curve[slot] > 0 ? result_.distance[slot] : kLargest;
+    };
+    for (const Starts& starts : together) {
+      Left& left = *starts.left;
+      const std::size_t end = starts.first + starts.count;
+      for (std::size_t slot = starts.first; slot < end; ++slot)
         if (reached(slot) < left.place.distance) left.place = {block_.T[slot], block_.A[slot], reached(slot)};
-      if (!table) continue;
-      for (std::size_t k = 0; k < found.size(); ++k) {
-        const Approach& approach = found[k];
-        const std::size_t slot = used - 3 * (found.size() - k);
+      for (std::size_t k = 0; k < starts.found.size(); ++k) {
+        const Approach& approach = starts.found[k];
+        const std::size_t slot = end - 3 * (starts.found.size() - k);
         const double best = std::min({reached(slot), reached(slot + 1), reached(slot + 2)});
         if (!(approach.distance < left.place.distance && best > 2 * approach.distance + 0.5)) continue;
         const auto distance = [&](double u) {
           const PlanePlace place = table->at(u);
-          return distance_to(block_, 0, place.T, place.A);
+          return distance_to(block_, starts.first, place.T, place.A);
         };
         const double low = std::max(approach.segment - 1, 0), high = std::min(approach.segment + 2, table->last());
         const double u = golden_section(low, high, distance), d = distance(u);
