@@ -25,15 +25,24 @@ class PackedToughness final : public Cost {
     for (std::size_t begin = 0; begin < points_.size(); begin += kPackedChunk) {
       const std::size_t n = std::min(kPackedChunk, points_.size() - begin);
       model_.packed_log_toughness(x[0], points_, begin, n, f.data(), f1.data(), f2.data());
-      for (std::size_t j = 0; j < n; ++j) {
-        const std::size_t i = begin + j, k = j % 4;
-        const double w = weights.empty() ? 1 : weights[i];
-        const double r = weights_[i] * f[j] - targets_[i], d = weights_[i] * f1[j];
+      const double *const own = weights_.data() + begin, *const targets = targets_.data() + begin;
+      const auto add = [&](std::size_t j, std::size_t k, double w) {
+        const double r = own[j] * f[j] - targets[j], d = own[j] * f1[j];
         value[k] += w * r * r;
         slope[k] += w * r * d;
         square[k] += w * d * d;
-        bend[k] += w * r * weights_[i] * f2[j];
-      }
+        bend[k] += w * r * own[j] * f2[j];
+      };
+      const auto add_all = [&](const auto& weight) {
+        const std::size_t whole = n / 4 * 4;
+        for (std::size_t j = 0; j < whole; j += 4)
+          for (std::size_t k = 0; k < 4; ++k) add(j + k, k, weight(j + k));
+        for (std::size_t j = whole; j < n; ++j) add(j, j % 4, weight(j));
+      };
+      if (weights.empty())
+        add_all([](std::size_t) { return 1.0; });
+      else
+        add_all([given = weights.data() + begin](std::size_t j) { return given[j]; });
     }
     const auto sum = [](const double* s) { return (s[0] + s[1]) + (s[2] + s[3]); };
     cost.value = sum(value);
@@ -178,8 +187,7 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
       const PointPlace place = points_.at(i).place;
       if (varies) scale = ConstantsScale(at.constants, place);
       const std::span<double> row = jacobian.subspan(i * width, width);
-      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j]}, scale,
-                       place);
+      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j]}, scale, place);
       for (double& slope : row) {
         slope *= weights_[i];
         finite &= std::isfinite(slope);

@@ -1,12 +1,15 @@
 #include "solver/evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "solver/interval.h"
@@ -80,25 +83,30 @@ class LogDensity {
 class Interpolated {
  public:
   Interpolated(double low, double high, std::size_t points) : values_(points) {
-    for (std::size_t i = 0; i < points; ++i)
+    for (std::size_t i = 0; i < points; ++i) {
       nodes_.push_back(0.5 * (low + high) + 0.5 * (low - high) * std::cos(angle(i)));
+      weights_.push_back((i % 2 == 0 ? 1 : -1) * (i == 0 || i + 1 == points ? 0.5 : 1));
+    }
   }
 
   std::size_t size() const { return nodes_.size(); }
   double node(std::size_t i) const { return nodes_[i]; }
   double& value(std::size_t i) { return values_[i]; }
-  /// Barycentric interpolation (Berrut & Trefethen 2004).
-  double operator()(double u) const {
-    double above = 0, below = 0;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double off = u - nodes_[i];
-      if (off == 0) return values_[i];
-      const bool end = i == 0 || i + 1 == values_.size();
-      const double weight = (i % 2 == 0 ? 1 : -1) * (end ? 0.5 : 1) / off;
-      above += weight * values_[i];
-      below += weight;
+  /// Barycentric interpolation (Berrut & Trefethen 2004) at several points at once.
+  template <std::size_t kPoints>
+  std::array<double, kPoints> operator()(const std::array<double, kPoints>& u) const {
+    std::array<double, kPoints> above{}, below{};
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      for (std::size_t j = 0; j < kPoints; ++j) {
+        const double share = weights_[i] / (u[j] - nodes_[i]);
+        above[j] += share * values_[i];
+        below[j] += share;
+      }
+    for (std::size_t j = 0; j < kPoints; ++j) {
+      const auto node = std::isfinite(below[j]) ? nodes_.end() : std::find(nodes_.begin(), nodes_.end(), u[j]);
+      above[j] = node == nodes_.end() ? above[j] / below[j] : values_[static_cast<std::size_t>(node - nodes_.begin())];
     }
-    return above / below;
+    return above;
   }
   /// The larger of the last two Chebyshev coefficients, which estimates the error.
   double tail() const {
@@ -118,7 +126,7 @@ class Interpolated {
     return std::numbers::pi * static_cast<double>(i) / static_cast<double>(values_.size() - 1);
   }
 
-  std::vector<double> nodes_, values_;
+  std::vector<double> nodes_, weights_, values_;
 };
 
 /// Integrals of e^(density - peak) multiplied by 1, x and x^2.
@@ -191,14 +199,19 @@ class Posterior {
  private:
   Moments between(double low, double high) const {
     using Gauss = boost::math::quadrature::gauss<double, 10>;
+    constexpr std::size_t kHalf = std::tuple_size_v<std::remove_cvref_t<decltype(Gauss::abscissa())>>;
     Moments sum = Moments::Zero();
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k)
-      for (const double side : {-1, 1}) {
-        const double u = middle + side * half * Gauss::abscissa()[k], x = density_.outer(u);
-        const double value = half * Gauss::weights()[k] * std::exp((*interpolated_)(u));
-        sum += Moments(value, value * x, value * x * x);
-      }
+    std::array<double, 2 * kHalf> u;
+    for (std::size_t k = 0; k < kHalf; ++k) {
+      u[k] = middle - half * Gauss::abscissa()[k];
+      u[kHalf + k] = middle + half * Gauss::abscissa()[k];
+    }
+    const auto logarithms = (*interpolated_)(u);
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const double x = density_.outer(u[k]), value = half * Gauss::weights()[k % kHalf] * std::exp(logarithms[k]);
+      sum += Moments(value, value * x, value * x * x);
+    }
     return sum;
   }
 
