@@ -132,15 +132,17 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     Eigen::MatrixXd directions(J.rows(), count);  // one column per test
     for (Eigen::Index k = 0; k < count; ++k) {
       Tested& one = *tests[static_cast<std::size_t>(k)];
-      const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.column));
-      const Eigen::VectorXd apart = column - open_J * one.moved;
-      directions.col(k) = whole ? apart.normalized() : apart;
-      if (problem.known_errors()) continue;
+      auto apart = directions.col(k);
+      apart = J.col(static_cast<Eigen::Index>(one.column));
+      for (Eigen::Index i = 0; i < m; ++i) apart -= one.moved[i] * open_J.col(i);
       // Errors of unknown size: the larger of two p-values, for a common variance of the residuals, and for individual
       // variances from residual and leverage with the constant free (MacKinnon & White's HC3).
-      const Eigen::ArrayXd leverage = apart.array().square() / one.left(),
-                           free = (r - apart * (one.slope / one.left())).array() / (1 - leverage).max(0.1);
-      one.robust += (apart.array() * free).square().sum();
+      const double per_left = 1 / one.left(), move = one.slope * per_left;
+      for (Eigen::Index i = 0; i < apart.size() && !problem.known_errors(); ++i) {
+        const double size = apart[i], free = (r[i] - size * move) / std::max(1 - size * size * per_left, 0.1);
+        one.robust += std::pow(size * free, 2);
+      }
+      if (whole) apart.normalize();
     }
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index j = 0; j < count; ++j) correlations(i, j) += directions.col(i).dot(directions.col(j));
