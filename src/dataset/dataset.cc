@@ -161,7 +161,7 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides) {
 }
 
 Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs& inputs) {
-  return load_dataset(path, read_metadata(metadata_path(path), inputs), overrides, inputs);
+  return load_dataset(path, metadata_of(path, overrides, inputs), overrides, inputs);
 }
 
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs) {

@@ -102,6 +102,10 @@ void bind_data(nb::module_& m) {
       },
       nb::arg(), nb::arg(), nb::arg().none() = nb::none());
   m.def("files_of", &files_of);
+  m.def("constants_of_definition", [](const std::string& path) {
+    Inputs inputs;
+    return constants_as_stated(with_definition({}, {{"definition", path}}, inputs));
+  });
   m.def("column_names", [] {
     std::vector<std::string_view> names;
     for (const ColumnKind& kind : kColumnKinds) names.push_back(kind.name);

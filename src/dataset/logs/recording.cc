@@ -144,6 +144,7 @@ class LogReader : public UseOfRows {
     using enum ColumnId;
     recording_.headings = table.headings;
     recording_.taken = columns.taken;
+    recording_.mapping = columns.mapped;
     for (const auto& column : columns.by_id) {
       if (!column || is_clock(column->id)) continue;
       const Heading& heading = table.headings[column->index];

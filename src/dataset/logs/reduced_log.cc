@@ -21,9 +21,7 @@ namespace {
 /// Throws for a quantity of the mapping whose column is in none of the files. `files`: those that were read; the
 /// headings of the others are read from disk, for the message alone.
 void require_mapped(const std::vector<std::string>& paths, const std::vector<std::vector<Recording>>& files,
-                    const Overrides& constants) {
-  Metadata metadata;
-  apply_overrides(constants, metadata);
+                    Metadata metadata) {
   ColumnRules rules;
   rules.mapping = metadata.columns;
   std::string there;
@@ -86,15 +84,17 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
   if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its runs would count twice");
   Inputs inputs;
   std::vector<Recordings> files;
-  const bool mapped = paths.size() > 1 && std::any_of(constants.begin(), constants.end(),
-                                                      [](const auto& one) { return one.first == "columns"; });
+  // The columns of all files, as an option or the definition of an option maps them.
+  Metadata common = with_definition({}, constants, inputs);
+  apply_overrides(constants, common);
+  const bool mapped = paths.size() > 1 && !common.columns.empty();
   for (const std::string& path : paths) {
-    Metadata own = read_metadata(metadata_path(path), inputs);
+    Metadata own = metadata_of(path, constants, inputs);
     apply_overrides(constants, own);
     try {
-      files.push_back(read_recordings(path, own, inputs, mapped));
+      files.push_back(read_recordings(path, own, inputs, mapped && own.columns == common.columns));
     } catch (const InputError&) {
-      if (mapped) require_mapped(paths, files, constants);
+      if (mapped) require_mapped(paths, files, common);
       throw;
     }
     if (files.size() == 1)
@@ -102,8 +102,21 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
       throw InputError(metadata_path(path), problem);
   }
-  if (mapped) require_mapped(paths, files, constants);
+  if (mapped) require_mapped(paths, files, common);
   return logs_of(std::move(files));
+}
+
+/// The columns of both recordings of a log. If they find a quantity in columns of different names, as `stated`, if it
+/// is.
+std::map<std::string, std::string> common_mapping(const Recordings& recordings,
+                                                  const std::map<std::string, std::string>& stated) {
+  std::map<std::string, std::string> mapping = recordings.front().mapping;
+  for (const auto& [quantity, column] : recordings.back().mapping)
+    if (const auto [one, is_new] = mapping.emplace(quantity, column); !is_new && one->second != column) {
+      mapping.erase(one);
+      if (const auto given = stated.find(quantity); given != stated.end()) mapping.insert(*given);
+    }
+  return mapping;
 }
 
 /// Correlation of load and area; 0 if one of them is constant.
@@ -158,6 +171,7 @@ ReducedLog reduced(Recordings recordings, const Metadata& metadata, std::optiona
                    const RunOptions& options) {
   ReducedLog log;
   log.metadata = metadata;
+  log.mapping = common_mapping(recordings, metadata.columns);
   Recording& forces = recordings.front();
   const Recording& areas = recordings.back();
   const bool two = recordings.size() > 1;
@@ -205,6 +219,15 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
     if (!cut.leave_out && std::find(names.begin(), names.end(), name) == names.end())
       throw InputError(options.cuts_path, "states cuts of a run '" + name + "', which the log does not have");
   return logs;
+}
+
+std::vector<UnderstoodFile> understood(const ReducedLogs& logs) {
+  std::vector<UnderstoodFile> files;
+  for (const ReducedLog& log : logs) {
+    files.push_back({log.forces.path, log.metadata, log.mapping});
+    if (auto& offset = files.back().metadata.load_offset; offset && log.load_turned) *offset = 0 - *offset;
+  }
+  return files;
 }
 
 std::map<std::string, StatedCut> read_cuts(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/definition.h"
 #include "dataset/logs/loading_runs.h"
 #include "dataset/metadata.h"
 
@@ -17,6 +18,9 @@ struct ReducedLog {
   std::string areas_path, force_unit, area_unit;
   double force_factor = 1, area_factor = 1;  // one unit in SI
   Metadata metadata;
+  /// The column of each quantity, as the key columns of its metadata; one that two files find in columns of
+  /// different names only as it is stated.
+  std::map<std::string, std::string> mapping;
   LoadingRuns runs;
   bool load_turned = false;  // compression is negative in the log, so loads were reversed
 };
@@ -34,6 +38,9 @@ struct ReductionOptions {
 using ReducedLogs = std::vector<ReducedLog>;
 ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& constants,
                         const ReductionOptions& options);
+
+/// What was understood of the files of each log.
+std::vector<UnderstoodFile> understood(const ReducedLogs& logs);
 
 /// Reads a TOML with tables [[cuts]], which have `run`, and shear = "2.1 s", onset = "4.31 s" or leave_out = true.
 /// Throws InputError, with line and column, for anything else.

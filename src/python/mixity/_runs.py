@@ -53,6 +53,11 @@ class Runs:
         asked = formats if isinstance(formats, str) else ",".join(formats)
         warn(self._log.save(os.fspath(folder), asked, force, self._paths))
 
+    def save_definition(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Writes a TOML of the columns, rate and constants as they were understood, for other logs of this kind
+        (``runs(..., definition=path)``). ``force`` as for :func:`report`."""
+        self._log.save_definition(os.fspath(path), force, self._paths)
+
     def __len__(self) -> int:
         return len(self._log.runs())
 
