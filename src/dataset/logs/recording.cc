@@ -51,6 +51,7 @@ class LogReader : public UseOfRows {
     if (!clock_->text().empty()) recording_.reading += ", " + clock_->text();
     for (const auto& [line, names] : rows.other_tables())
       recording_.reading += ", the table in line " + std::to_string(line) + " not read";
+    recording_.reading += lines_left_out();
     std::vector<std::size_t> begins = clock_->logs();
     if (begins.size() < 2) return {recording_of(0, clock_->times().size())};
     std::vector<Recording> logs;
@@ -75,10 +76,19 @@ class LogReader : public UseOfRows {
     clock_->keep(row, time);
     for (std::size_t k = 0; k < channels_.size(); ++k) channels_[k].values.push_back(values_[k]);
   }
-  void left_out(std::size_t, std::string_view) override {}
+  void left_out(std::size_t line, std::string_view reason) override { left_out_.emplace_back(line, reason); }
   void begin_table(const std::string&) override { clock_->begin_table(); }
 
  private:
+  /// ", line 7 left out: words below the table", for the first few.
+  std::string lines_left_out() const {
+    constexpr std::size_t kShown = 8;
+    std::string text;
+    for (std::size_t i = 0; i < left_out_.size() && i < kShown; ++i)
+      text += ", line " + std::to_string(left_out_[i].first) + " left out: " + std::string(left_out_[i].second);
+    if (left_out_.size() > kShown) text += ", and " + std::to_string(left_out_.size() - kShown) + " more lines";
+    return text;
+  }
   /// The value in SI; NaN if the field is empty.
   double value_of(const CsvRow& row, const Channel& channel) {
     double value = 0;
@@ -195,7 +205,8 @@ class LogReader : public UseOfRows {
   CsvFile file_;
   Recording recording_;
   std::vector<Channel> channels_;
-  std::vector<double> values_;  // of the row, by channel
+  std::vector<double> values_;                                      // of the row, by channel
+  std::vector<std::pair<std::size_t, std::string_view>> left_out_;  // lines, and why
   Columns columns_;
   std::optional<LogClock> clock_;
   ChannelClocks channel_clocks_;
