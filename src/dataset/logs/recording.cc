@@ -106,6 +106,7 @@ class LogReader : public UseOfRows {
       throw InputError(log.path, whole ? 0 : clock_->line_of(begin), 0, "holds fewer than three rows of a log");
     }
     log.time = times_of(begin, end, log.clock);
+    if (const std::string unused = clock_->unused_rate(log.time); !unused.empty()) log.reading += ", " + unused;
     log.T = values(T);
     log.A = has(A) ? values(A) : areas();
     log.load_is_stated = has(T) && !has(P);
