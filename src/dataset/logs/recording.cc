@@ -46,8 +46,7 @@ class LogReader : public UseOfRows {
     clock_.emplace(recording_.path, *rows.table(), columns_, metadata_, rows.head());
     rows.read(*this);
     recording_.reading = file_.sheet() ? describe(*file_.sheet(), describe(rows)) : describe(rows);
-    if (file_.sheet())
-      for (const Message& note : file_.sheet()->notes) recording_.reading += "; " + note.text();
+    for (const Message& note : file_.notes()) recording_.reading += "; " + note.text();
     if (!clock_->text().empty()) recording_.reading += ", " + clock_->text();
     for (const auto& [line, names] : rows.other_tables())
       recording_.reading += ", the table in line " + std::to_string(line) + " not read";

@@ -5,6 +5,8 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/phrases.h"
+#include "base/text.h"
 #include "base/toml_file.h"
 #include "base/units.h"
 #include "dataset/logs/clocks.h"
@@ -196,6 +198,7 @@ ReducedLog reduced(Recordings recordings, const Metadata& metadata, std::optiona
 
 ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& constants,
                         const ReductionOptions& options) {
+  constexpr std::size_t kShown = 200;
   RunOptions run_options;
   run_options.drift = options.drift;
   if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
@@ -216,8 +219,11 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
   }
   const std::vector<std::string>& names = run_options.taken;
   for (const auto& [name, cut] : run_options.cuts)
-    if (!cut.leave_out && std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError(options.cuts_path, "states cuts of a run '" + name + "', which the log does not have");
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError(options.cuts_path, (cut.leave_out ? "leaves out a run '" : "states cuts of a run '") +
+                                              printable(name, std::string::npos) +
+                                              "', which the log does not have (it has " +
+                                              printable(joined(names), kShown) + ")");
   return logs;
 }
 
