@@ -30,10 +30,11 @@ void save_definition(const std::vector<UnderstoodFile>& understood, const std::o
 }
 
 std::string checked_files(const std::vector<std::string>& paths, const Stated& constants,
-                          const std::optional<std::string>& save, bool force) {
+                          const std::optional<std::string>& save, bool force, const Contents& made) {
+  const std::vector<InputFile> given = inputs_of(made);
   const nb::gil_scoped_release released;
   const auto load = [&](const Overrides& with) {
-    Inputs inputs;
+    Inputs inputs(given, Inputs::Others::from_disk);
     return load_files(paths, with, inputs);
   };
   CheckedData found = check_data(load, constants, in_keywords);
@@ -110,7 +111,7 @@ nb::dict shown(const LoadingRun& run) {
 }  // namespace
 
 void bind_reports(nb::module_& m) {
-  m.def("checked_files", &checked_files, nb::arg(), nb::arg(), nb::arg().none(), nb::arg());
+  m.def("checked_files", &checked_files, nb::arg(), nb::arg(), nb::arg().none(), nb::arg(), nb::arg());
   m.def("checked_data", &checked_data, nb::arg(), nb::arg().none(), nb::arg());
   m.def("report", &report, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(), nb::arg().none());
   nb::class_<Reduction>(m, "ReducedLog")
@@ -145,13 +146,14 @@ void bind_reports(nb::module_& m) {
   m.def(
       "runs",
       [](const std::vector<std::string>& paths, const Stated& constants, std::optional<double> lag,
-         std::optional<bool> drift, const std::string& cuts) {
+         std::optional<bool> drift, const std::string& cuts, const Contents& made) {
+        const Inputs inputs(inputs_of(made), Inputs::Others::from_disk);
         const nb::gil_scoped_release released;
-        ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts});
+        ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts, inputs});
         if (has_no_run(logs)) refuse_without_runs(paths[0]);
         return Reduction{std::move(logs)};
       },
-      nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg());
+      nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg());
 }
 
 }  // namespace mixity

@@ -214,8 +214,7 @@ class LogReader : public UseOfRows {
 
 }  // namespace
 
-std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata) {
-  Inputs inputs;
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata, Inputs& inputs) {
   ColumnRules rules = rules_of(metadata, inputs);
   rules.log = rules.shared_mapping = true;
   CsvFile file(path, inputs, {metadata.sheet, metadata.decimal, &rules});

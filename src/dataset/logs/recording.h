@@ -42,6 +42,6 @@ inline std::vector<Recording> read_recordings(const std::string& path, const Met
 }
 
 /// The headings of its table; none if it has no table.
-std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata);
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata, Inputs& inputs);
 
 }  // namespace mixity

@@ -21,15 +21,15 @@ namespace mixity {
 namespace {
 
 /// Throws for a quantity of the mapping whose column is in none of the files. `files`: those that were read; the
-/// headings of the others are read from disk, for the message alone.
+/// headings of the others are read for the message alone.
 void require_mapped(const std::vector<std::string>& paths, const std::vector<std::vector<Recording>>& files,
-                    Metadata metadata) {
+                    Metadata metadata, Inputs& inputs) {
   ColumnRules rules;
   rules.mapping = metadata.columns;
   std::string there;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const std::vector<Heading> headings =
-        k < files.size() ? files[k].front().headings : headings_of_log(paths[k], metadata);
+        k < files.size() ? files[k].front().headings : headings_of_log(paths[k], metadata, inputs);
     for (const ColumnId id : mapped_in(headings, rules)) metadata.columns.erase(std::string(to_string(id)));
     Table table;
     table.headings = headings;
@@ -81,10 +81,9 @@ std::vector<Recordings> logs_of(std::vector<Recordings> files) {
   return logs;
 }
 
-std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
+std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants, Inputs inputs,
                                   Metadata& metadata) {
   if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its runs would count twice");
-  Inputs inputs;
   std::vector<Recordings> files;
   // The columns of all files, as an option or the definition of an option maps them.
   Metadata common = with_definition({}, constants, inputs);
@@ -96,7 +95,7 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
     try {
       files.push_back(read_recordings(path, own, inputs, mapped && own.columns == common.columns));
     } catch (const InputError&) {
-      if (mapped) require_mapped(paths, files, common);
+      if (mapped) require_mapped(paths, files, common, inputs);
       throw;
     }
     if (files.size() == 1)
@@ -104,7 +103,7 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
       throw InputError(metadata_path(path), problem);
   }
-  if (mapped) require_mapped(paths, files, common);
+  if (mapped) require_mapped(paths, files, common, inputs);
   return logs_of(std::move(files));
 }
 
@@ -204,7 +203,7 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
   if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
   Metadata metadata;
   ReducedLogs logs;
-  std::vector<Recordings> all = read_logs(paths, constants, metadata);
+  std::vector<Recordings> all = read_logs(paths, constants, options.inputs, metadata);
   const bool pairs = std::any_of(all.begin(), all.end(), [](const Recordings& one) { return one.size() > 1; });
   for (Recordings& recordings : all) {
     const auto lag = pairs && recordings.size() == 1 ? std::nullopt : options.lag;  // a lag is between two clocks

@@ -29,6 +29,7 @@ struct ReductionOptions {
   std::optional<double> lag{};  // s, of the areas' clock; null: from events
   std::optional<bool> drift{};  // as in RunOptions
   std::string cuts_path{};      // a TOML with stated cuts; empty: none
+  Inputs inputs{};              // may have logs that were read before
 };
 
 /// Reads logs of forces and areas, or files in pairs, one of forces and one of areas in any order, and finds the

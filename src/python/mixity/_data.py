@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping
 import numpy as np
 
 from . import _core
+from ._binary import tables
 from ._log import WARNING, listening
 from ._units import carries_units, constant_text, plain_array, si_unit
 
@@ -126,7 +127,8 @@ class Dataset:
 
     @property
     def inputs(self) -> list[tuple[str, int, str]]:
-        """[(path, bytes, xxh128)] of the files that were read, hashed as by ``xxh128sum``. Empty for arrays."""
+        """[(path, bytes, xxh128)] of the files that were read, hashed as by ``xxh128sum``; of .mat, HDF5 and .tdms those of
+        the table that was made of it. Empty for arrays."""
         return self._core.inputs
 
     @property
@@ -218,12 +220,15 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
     ----------
     path : str, path, or list of them
         A CSV, an Excel workbook (.xlsx) or another export of a table; a pattern such as ``"run_*.csv"``, or several files, are one data set.
+        Also arrays of .mat (needs SciPy, of version 7.3 h5py), HDF5 (h5py) and .tdms (npTDMS): of names that are known,
+        such as P, T, A, or ``columns={"P": "group/channel (mN)", ...}``. Their units are the attributes ``units`` or
+        ``unit``, in .tdms ``unit_string`` or ``NI_UnitDescription``.
     **constants
         Replace those in the TOML: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``sheet``, ``table``,
         ``rate``, ``fps``, ``pixel``, ``load``, ``load_from``, ``headings``). ``definition`` is a TOML of such
         constants, as :func:`check` saves it, for all that is stated nowhere else.
     """
     files, stated = files_and_constants(path, constants)
-    data = _again("file", (files, stated))
+    data = Dataset._of(_core.read(files, stated, None, tables(files, stated)), ("file", (files, stated)))
     data._tell_notes()
     return data

@@ -6,6 +6,7 @@ import os
 from typing import Any, Callable, Iterable, Sequence
 
 from . import _core
+from ._binary import tables
 from ._data import Dataset, files_and_constants
 from ._fits import Fits
 from ._log import WARNING, listening
@@ -37,7 +38,7 @@ def check(
             raise _core.InputError(f"{next(iter(constants))}: the constants of a Dataset are stated where it is made")
         return _core.checked_data(data._core, where, force)
     files, stated = files_and_constants(data, constants)
-    return _core.checked_files(files, stated, where, force)
+    return _core.checked_files(files, stated, where, force, tables(files, stated))
 
 
 def report(

@@ -8,6 +8,7 @@ import os
 from typing import Any, Sequence
 
 from . import _core
+from ._binary import tables
 from ._data import Dataset, files_and_constants
 from ._reports import warn
 
@@ -114,4 +115,5 @@ def runs(
     """
     paths = [os.fspath(one) for one in (*logs, areas) if one is not None]
     _, stated = files_and_constants([], constants)
-    return Runs(_core.runs(paths, stated, lag, zero_drift, "" if cuts is None else os.fspath(cuts)), paths)
+    where = "" if cuts is None else os.fspath(cuts)
+    return Runs(_core.runs(paths, stated, lag, zero_drift, where, tables(paths, stated)), paths)
