@@ -117,6 +117,9 @@ Metadata metadata_of(const std::string& csv_path, const Overrides& overrides, In
 /// The same for what is stated in another way.
 Metadata with_definition(Metadata own, const Overrides& overrides, Inputs& inputs);
 
+/// What options state without a data file: their definition, and the options themselves. Throws InputError as both do.
+Metadata stated_by(const Overrides& overrides);
+
 /// The value of a field as a text that set_field accepts; null if it is not stated.
 std::optional<std::string> stated_text(const Metadata& metadata, std::string_view name);
 

@@ -77,4 +77,11 @@ Metadata with_definition(Metadata own, const Overrides& overrides, Inputs& input
   return whole;
 }
 
+Metadata stated_by(const Overrides& overrides) {
+  Inputs inputs;
+  Metadata stated = with_definition({}, overrides, inputs);
+  apply_overrides(overrides, stated);
+  return stated;
+}
+
 }  // namespace mixity

@@ -219,5 +219,22 @@ TEST(SavedDefinition, ThatIsMissingOrNamesAnotherIsRefused) {
   expect_refused({"check", data, "--definition=" + chain}, 3, chain + ": names another definition; one is read");
 }
 
+TEST(SavedDefinition, HasTheConstantsOfAContactWithoutData) {
+  const TemporaryFolder folder;
+  const std::string lab = "--definition=" + folder.write("lab.toml",
+                                                         "radius = \"9 mm\"\nmodulus = \"2 MPa\"\n"
+                                                         "toughness = \"27 mJ/m^2\"\n");
+  const Words constants{"--radius=9 mm", "--modulus=2 MPa", "--toughness=27 mJ/m^2"};
+  for (const Words& words : {Words{"predict", "--model=c", "--lambda=0.1", "--load=3 mN", "--shear=0,5 mN"},
+                             Words{"design", "--model=c", "--lambda=0.1", "--loads=1,4 mN", "--format=csv"}}) {
+    Words by_flags = words, by_definition = words;
+    by_flags.insert(by_flags.end(), constants.begin(), constants.end());
+    by_definition.push_back(lab);
+    const ProgramResult expected = run_program(by_flags), found = run_program(by_definition);
+    ASSERT_EQ(expected.exit_code, 0) << expected.err;
+    EXPECT_EQ(found.out, expected.out) << joined(words) << found.err;
+  }
+}
+
 }  // namespace saved_definition_test
 }  // namespace mixity::cli

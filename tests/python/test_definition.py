@@ -49,6 +49,8 @@ def test_a_definition_gives_arrays_its_constants(tmp_path):
     # E/(1 - nu^2) in doubles
     assert given.psi == pytest.approx(same.psi, rel=1e-12)
     assert (pickle.loads(pickle.dumps(given)).psi == given.psi).all()
+    plans = [mixity.Plan("c", 0.1, loads="1,4 mN", **one) for one in ({"definition": lab}, {**CONSTANTS, "modulus": "1 MPa"})]
+    assert (plans[0].simulate(1).A == plans[1].simulate(1).A).all()
 
 
 def test_a_definition_of_a_log_reads_another_one(root, tmp_path):
