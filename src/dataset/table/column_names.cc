@@ -308,7 +308,9 @@ std::string mapping_with(const std::string& unit, ColumnId id, const std::vector
 
 std::string mapped_as(const NamedColumn& column, const std::vector<Heading>& headings) {
   const std::string& text = headings[column.index].text;
-  const std::optional<std::string>& unit = column.heading.unit;
+  std::optional<std::string> unit = column.heading.unit;
+  // one with brackets, such as Origin's "mm\\+(2)", is left to the file
+  if (unit && unit->find_first_of("()[]") != std::string::npos) unit.reset();
   const std::string behind = unit ? " (" + *unit + ")" : "";
   const std::string by_heading = unit && split_heading(text, {}).unit == unit ? text : text + behind;
   // a comma with an equals sign behind it may begin another entry
@@ -318,7 +320,7 @@ std::string mapped_as(const NamedColumn& column, const std::vector<Heading>& hea
     if (plain) found = find_mapped({}, headings, column.id, by_heading);
   } catch (const InputError&) {  // of two columns with this heading
   }
-  const bool has_unit = split_heading(by_heading, {}).unit == unit;
+  const bool has_unit = !unit || split_heading(by_heading, {}).unit == unit;
   return found == column.index && has_unit ? by_heading : std::to_string(column.index + 1) + behind;
 }
 
