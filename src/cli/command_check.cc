@@ -26,7 +26,8 @@ int run_check(const Arguments& arguments) {
     usable &= found.usable;
     files.push_back(found.file);
     if (!found.missing) return;
-    std::cout << text << save_definition(files, paths) << std::flush;
+    text += save_definition(files, paths);
+    std::cout << text << std::flush;
     throw *found.missing;
   };
   if (FLAGS_pool) {
@@ -37,7 +38,8 @@ int run_check(const Arguments& arguments) {
     for (const std::string& path : arguments)
       check([&path](const Overrides& constants) { return load_dataset(path, constants); });
   }
-  std::cout << text << save_definition(files, paths);
+  text += save_definition(files, paths);  // prints nothing if that is refused
+  std::cout << text;
   return usable ? kFine : kBadInput;
 }
 

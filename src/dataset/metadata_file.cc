@@ -59,8 +59,7 @@ Metadata with_definition(Metadata own, const Overrides& overrides, Inputs& input
   for (const auto& [name, text] : overrides)
     if (name == "definition") own.definition = text;
   if (own.definition.empty()) return own;
-  if (!inputs.exists(own.definition))
-    throw InputError(own.definition, "is to be the definition of data and does not exist");
+  inputs.read(own.definition);  // throws if there is none
   const Metadata common = read_metadata(own.definition, inputs);
   if (!common.definition.empty()) throw InputError(own.definition, "names another definition; one is read");
   const auto replaced = [&](std::string_view name) {  // by another field

@@ -214,7 +214,7 @@ TEST(SavedDefinition, ThatIsMissingOrNamesAnotherIsRefused) {
   const TemporaryFolder folder;
   const std::string data = folder.write("a.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n");
   expect_refused({"check", data, "--definition=" + folder.path("none.toml")}, 3,
-                 folder.path("none.toml") + ": is to be the definition of data and does not exist");
+                 folder.path("none.toml") + ": cannot be opened: No such file or directory");
   const std::string chain = folder.write("chain.toml", "definition = \"lab.toml\"\n");
   expect_refused({"check", data, "--definition=" + chain}, 3, chain + ": names another definition; one is read");
 }
