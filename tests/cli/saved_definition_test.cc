@@ -127,6 +127,9 @@ TEST(SavedDefinition, OfAPairOfLogsReadsAnotherPair) {
                           run_program({"runs", other_forces, other_areas, "--definition=" + saved, "--lag=0 s"});
   ASSERT_EQ(explicitly.exit_code, 0) << explicitly.err;
   EXPECT_EQ(reading(by_definition, "second"), reading(explicitly, "second")) << by_definition.err << content_of(saved);
+  for (const char* name : {"second_forces.toml", "second_areas.toml"}) folder.write(name, content_of(saved));
+  const ProgramResult beside = run_program({"runs", other_forces, other_areas, "--lag=0 s"});
+  EXPECT_EQ(reading(beside, "second"), reading(explicitly, "second")) << beside.err;
 }
 
 TEST(SavedDefinition, ReplacesNoFileOfAUser) {

@@ -85,15 +85,21 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
                                   Metadata& metadata) {
   if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its runs would count twice");
   std::vector<Recordings> files;
-  // The columns of all files, as an option or the definition of an option maps them.
-  Metadata common = with_definition({}, constants, inputs);
-  apply_overrides(constants, common);
-  const bool mapped = paths.size() > 1 && !common.columns.empty();
+  std::vector<Metadata> stated;
   for (const std::string& path : paths) {
-    Metadata own = metadata_of(path, constants, inputs);
-    apply_overrides(constants, own);
+    stated.push_back(metadata_of(path, constants, inputs));
+    apply_overrides(constants, stated.back());
+  }
+  // One mapping for all files, as an option, a definition or equal files beside them state it: each has its part of it.
+  const Metadata& common = stated.front();
+  const bool mapped =
+      paths.size() > 1 && !common.columns.empty() &&
+      std::all_of(stated.begin(), stated.end(), [&](const Metadata& one) { return one.columns == common.columns; });
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const std::string& path = paths[k];
+    const Metadata& own = stated[k];
     try {
-      files.push_back(read_recordings(path, own, inputs, mapped && own.columns == common.columns));
+      files.push_back(read_recordings(path, own, inputs, mapped));
     } catch (const InputError&) {
       if (mapped) require_mapped(paths, files, common, inputs);
       throw;
