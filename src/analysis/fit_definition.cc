@@ -24,6 +24,9 @@ class Reader {
     FitRequest request;
     request.inputs = inputs.files();
     request.path = path_;
+    if (!table.contains("data") && !table.contains("runs") && states_constants(table))
+      throw InputError(path_, "states how data are read, and no data: " + Remedy::set("definition", path_) +
+                                  " beside a file reads it so");
     read_laws(table, request);  // first, since models may name them
     for (const auto& [key, node] : table) read_key(key, node, request);
     if (request.data_path.empty()) throw InputError(path_, "the key data is missing");
@@ -59,6 +62,13 @@ class Reader {
     else if (name != "laws")
       fail(key, "unknown key \"" + name + "\" (known: data, runs, columns, " + names_of_options() +
                     ", constants, laws, peaks, log_figures, source, published)");
+  }
+
+  /// Whether a key outside the tables is that of a constant, as in a definition of data.
+  static bool states_constants(const toml::table& table) {
+    return std::any_of(metadata_fields().begin(), metadata_fields().end(), [&](const MetadataField& field) {
+      return field.name != "source" && field.name != "columns" && table.contains(field.name);
+    });
   }
 
   template <class Placed>
@@ -175,8 +185,9 @@ class Reader {
     Metadata scratch;
     for (const auto& [key, value] : *node.as_table()) {
       const std::string name(key.str());
-      const std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
+      std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
       if (const std::string problem = set_field(scratch, name, given); !problem.empty()) fail(value, problem);
+      if (is_path(name)) given = beside(value, name);
       request.constants.emplace_back(name, given);
     }
   }

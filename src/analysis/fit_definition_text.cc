@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <filesystem>
 #include <sstream>
 
 #include "analysis/fit_definition.h"
 #include "analysis/laws.h"
 #include "analysis/settings.h"
+#include "base/files.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "base/toml_file.h"
@@ -26,18 +26,6 @@ std::string stated_if_any(std::string_view key, const std::string& text) {
 std::string stated(std::string_view key, const std::vector<std::string>& texts) {
   return std::string(key) + " = [" + joined(texts_of(texts, [](const std::string& one) { return toml_text(one); })) +
          "]\n";
-}
-
-/// The path of a file relative to the folder of `definition`.
-std::string relative_to(const std::string& definition, const std::string& file) {
-  std::error_code unread;
-  // Links are not resolved: constants are read from the link's folder. The definition's folder need not exist yet.
-  const std::filesystem::path folder = std::filesystem::absolute(definition).lexically_normal().parent_path(),
-                              whole = std::filesystem::absolute(file).lexically_normal(),
-                              relative = std::filesystem::weakly_canonical(folder, unread) == folder
-                                             ? whole.lexically_proximate(folder)
-                                             : whole;
-  return (unread ? std::filesystem::absolute(file) : relative).string();
 }
 
 }  // namespace
@@ -69,7 +57,7 @@ std::string fit_definition_text(const FitRequest& request, const Dataset& data, 
   }
   out << stated_if_any("source", request.source);
   if (!request.constants.empty()) out << "\n[constants]\n";
-  for (const auto& [name, value] : request.constants) out << stated(name, value);
+  for (const auto& [name, value] : request.constants) out << stated(name, is_path(name) ? from_there(value) : value);
   if (told_apart)
     for (const RunFile& run : request.runs)
       out << "\n[[runs]]\n"

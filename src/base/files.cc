@@ -38,4 +38,15 @@ std::optional<std::string> named_twice(const std::vector<std::string>& paths) {
   return std::nullopt;
 }
 
+std::string relative_to(const std::string& from, const std::string& file) {
+  std::error_code unread;
+  // Links are not resolved: constants are read from the link's folder. The folder of `from` need not exist yet.
+  const std::filesystem::path folder = std::filesystem::absolute(from).lexically_normal().parent_path(),
+                              whole = std::filesystem::absolute(file).lexically_normal(),
+                              relative = std::filesystem::weakly_canonical(folder, unread) == folder
+                                             ? whole.lexically_proximate(folder)
+                                             : whole;
+  return (unread ? std::filesystem::absolute(file) : relative).string();
+}
+
 }  // namespace mixity

@@ -33,6 +33,9 @@ class OutputError : public std::runtime_error {
 /// and replaces all else, and a first character that is neither a letter nor a digit, by '_'.
 std::string plain_file_name(std::string_view name);
 
+/// The path of a file relative to the folder of `from`, a file that names it.
+std::string relative_to(const std::string& from, const std::string& file);
+
 /// The first path that names the same regular file as an earlier one, or is spelled alike; null if there is none.
 std::optional<std::string> named_twice(const std::vector<std::string>& paths);
 

@@ -30,13 +30,13 @@ constexpr const char* kChanged = "was changed while it was read: read it again w
 
 }  // namespace
 
-Inputs::Inputs(const std::vector<InputFile>& given) : given_(std::in_place) {
-  for (const InputFile& file : given) given_->emplace(file.path, file);
+Inputs::Inputs(const std::vector<InputFile>& given, Others others) : others_(others) {
+  for (const InputFile& file : given) given_.emplace(file.path, file);
 }
 
 bool Inputs::exists(const std::string& path) const {
   std::error_code error;
-  if (given_) return given_->count(path) > 0;
+  if (others_ == Others::none || given_.count(path) > 0) return given_.count(path) > 0;
   const auto kind = std::filesystem::status(path, error).type();
   if (kind == std::filesystem::file_type::not_found) return false;
   if (error) throw InputError(path, "cannot be looked up: " + error.message());
@@ -57,9 +57,9 @@ std::string Inputs::read(const std::string& path) {
 }
 
 std::shared_ptr<const std::string> Inputs::given(const std::string& path) const {
-  if (!given_) return nullptr;
-  const auto file = given_->find(path);
-  if (file == given_->end() || !file->second.content)
+  const auto file = given_.find(path);
+  if (file == given_.end() && others_ == Others::from_disk) return nullptr;
+  if (file == given_.end() || !file->second.content)
     throw InputError(path, "is not among the files that were read before");
   return file->second.content;
 }

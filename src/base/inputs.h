@@ -28,20 +28,24 @@ class Inputs {
   static constexpr std::size_t kMostKept = std::size_t{1} << 26;
 
   Inputs() = default;
-  /// Serves only these files, which were read before: nothing is read from disk.
-  explicit Inputs(const std::vector<InputFile>& given);
+  /// Which files are read from disk, besides those that are given.
+  enum class Others { none, from_disk };
+  /// Serves these files, which were read before.
+  explicit Inputs(const std::vector<InputFile>& given, Others others = Others::none);
 
   bool exists(const std::string& path) const;
   /// The content of a file of at most kMostText bytes; a file is read only once. Throws InputError as read_file does.
   std::string read(const std::string& path);
-  /// Null if files are read from disk. Throws InputError if the file is not among those given.
+  /// Null if the file is to be read from disk. Throws InputError if it is not among those given and none others are
+  /// read.
   std::shared_ptr<const std::string> given(const std::string& path) const;
 
   void add(InputFile file);
   const std::vector<InputFile>& files() const { return files_; }
 
  private:
-  std::optional<std::map<std::string, InputFile>> given_;  // by path
+  std::map<std::string, InputFile> given_;  // by path
+  Others others_ = Others::from_disk;
   std::vector<InputFile> files_;
   std::map<std::string, std::size_t> index_;  // of files_, by path
 };

@@ -6,6 +6,7 @@
 #include "cli/fit_flags.h"
 #include "cli/flag_words.h"
 #include "cli/flags.h"
+#include "cli/saved_definition.h"
 #include "dataset/pooled.h"
 #include "report/data_check.h"
 
@@ -16,20 +17,28 @@ int run_check(const Arguments& arguments) {
   const Overrides overrides = data_overrides();
   bool usable = true;
   std::string text;
+  std::vector<UnderstoodFile> files;
+  std::vector<std::string> paths(arguments);
   const auto check = [&](const std::function<Dataset(const Overrides&)>& load) {
     if (!text.empty()) text += '\n';
     const CheckedData found = check_data(load, overrides, in_flags);
     text += found.text;
     usable &= found.usable;
+    files.push_back(found.file);
     if (!found.missing) return;
+    text += save_definition(files, paths);
     std::cout << text << std::flush;
     throw *found.missing;
   };
-  if (FLAGS_pool)
-    check([files = pooled_files(arguments)](const Overrides& constants) { return load_pooled(files, constants); });
-  else
+  if (FLAGS_pool) {
+    const std::vector<RunFile> runs = pooled_files(arguments);
+    for (const RunFile& run : runs) paths.push_back(run.path);
+    check([&](const Overrides& constants) { return load_pooled(runs, constants); });
+  } else {
     for (const std::string& path : arguments)
       check([&path](const Overrides& constants) { return load_dataset(path, constants); });
+  }
+  text += save_definition(files, paths);  // prints nothing if that is refused
   std::cout << text;
   return usable ? kFine : kBadInput;
 }

@@ -20,7 +20,6 @@
 
 DEFINE_string(shard, "",
               "fit only a part of the files, i/n: every n-th from the i-th on (mixity merge merges the parts)");
-DEFINE_string(save, "", "write data and options of this fit to a fit definition (TOML)");
 
 namespace mixity::cli {
 namespace {
@@ -61,9 +60,8 @@ Shard campaign_of(const Arguments& arguments) {
   return shard;
 }
 
-/// Refuses a path that does not end in .toml, or that has the constants of a data file.
+/// Refuses a path that has the constants of a data file.
 void require_definition_path(const std::string& path) {
-  if (!path.ends_with(".toml")) throw must("save", "end in .toml");
   for (const char* ending : {".csv", ".CSV", ".txt", ".dat"}) {
     const std::string data = path.substr(0, path.size() - 5) + ending;
     if (std::filesystem::exists(data))
@@ -80,7 +78,7 @@ int run_fit(const Arguments& arguments) {
   const std::vector<FitRequest> requests = requests_for(shard_of(arguments));
   const Shard shard = campaign_of(arguments);
   if (!FLAGS_save.empty() && requests.size() > 1) throw UsageError("flag '--save' needs exactly one data set");
-  if (!FLAGS_save.empty()) require_definition_path(FLAGS_save);
+  if (!FLAGS_save.empty()) require_definition_path(path_to_save());
   std::vector<Analysis> results;
   bool all_ok = true;
   const Progress progress = progress_line("fit");

@@ -7,6 +7,7 @@
 #include "cli/flag_words.h"
 #include "cli/flags.h"
 #include "cli/progress.h"
+#include "cli/saved_definition.h"
 #include "report/runs_files.h"
 
 DEFINE_string(lag, "",
@@ -32,8 +33,9 @@ int run_runs(const Arguments& arguments) {
   const ReducedLogs logs =
       reduce_logs(arguments, data_overrides(),
                   {seconds("lag"), is_set("zero_drift") ? std::optional(FLAGS_zero_drift) : std::nullopt, FLAGS_cuts});
+  const std::string saved = save_definition(understood(logs), arguments);
   if (has_no_run(logs)) {
-    std::cout << runs_text(logs, in_flags);
+    std::cout << runs_text(logs, in_flags) << saved << std::flush;
     refuse_without_runs(arguments[0]);
   }
   if (!FLAGS_out.empty()) {
@@ -43,7 +45,7 @@ int run_runs(const Arguments& arguments) {
     write_outputs(output.files, inputs);
     if (!output.missing.empty()) warn(output.missing);
   }
-  std::cout << runs_text(logs, in_flags);
+  std::cout << runs_text(logs, in_flags) << saved;
   if (!FLAGS_out.empty())
     std::cout << "Written to " << FLAGS_out << "; next: mixity report " << FLAGS_out << "/fit.toml --out=DIR\n";
   return kFine;

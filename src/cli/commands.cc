@@ -78,16 +78,17 @@ std::span<const Command> commands() {
        "figures --paper --out=DIR [--formats=pdf,png,gnuplot] [DATA.csv ...]",
        "Draws the figures of Papangelo & Ciavarella (2019) from the equations, with the points of given data sets.",
        {"paper", "out", "force", "formats"}},
-      {"check", run_check, "check DATA.csv ... [flags]",
+      {"check", run_check, "check DATA.csv ... [--save=DEFINITION.toml] [flags]",
        "Shows how a data set was read, and warns of anything unusual in it. Works before its constants are known.",
-       with_metadata_flags({"pool"})},
+       with_metadata_flags({"pool", "save", "force"})},
       {"points", run_points, "points DATA.csv [--out=POINTS.csv] [flags]",
        "Prints each point with its phase angle and toughness ratio, as CSV.", with_metadata_flags({"out", "force"})},
       {"runs", run_runs,
-       "runs LOG.csv [AREAS.csv] ... [--out=DIR] [--lag=L] [--zero_drift] [--cuts=CUTS.toml] [--formats=pdf] [flags]",
+       "runs LOG.csv [AREAS.csv] ... [--out=DIR] [--lag=L] [--zero_drift] [--cuts=CUTS.toml] [--formats=pdf] "
+       "[--save=DEFINITION.toml] [flags]",
        "Cuts logs of forces and areas over time into loading runs: points to fit, peaks, and figures of the cuts. Each "
        "file is a log, or files are in pairs: forces and areas.",
-       with_metadata_flags({"out", "force", "lag", "zero_drift", "cuts", "formats"})},
+       with_metadata_flags({"out", "save", "force", "lag", "zero_drift", "cuts", "formats"})},
       {"design",
        run_design,
        "design --model=KEY --lambda=L [--loads=P1,P2] [--load_range=P1,P2] [--runs=N] [--wanted=2%] [--experiments=N] "

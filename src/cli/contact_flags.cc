@@ -18,9 +18,9 @@ void print_numbers(std::initializer_list<double> numbers) {
 }
 
 OutputUnits output_units() {
-  Metadata metadata;
-  const Overrides overrides = metadata_overrides();
-  apply_overrides(overrides, metadata);
+  Overrides overrides = metadata_overrides();
+  if (is_set("definition")) overrides.emplace_back("definition", value_of("definition"));
+  const Metadata metadata = stated_by(overrides);
   require_whole_modulus(metadata, {}, overrides);
   const auto modulus = metadata.plane_strain_modulus();
   const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();

@@ -20,13 +20,14 @@ namespace {
 
 /// Overrides constants. modulus and youngs_modulus replace each other; modulus also replaces poisson_ratio.
 void replace(Overrides& constants, const Overrides& with) {
-  for (const auto& [name, text] : with) {
+  for (const auto& one_of_them : with) {
+    const std::string& name = one_of_them.first;  // clang 14 captures no structured binding
     const bool both = name == "modulus";
     const std::string_view other = both ? "youngs_modulus" : name == "youngs_modulus" ? "modulus" : "";
     std::erase_if(constants, [&](const auto& one) {
       return one.first == name || one.first == other || (both && one.first == "poisson_ratio");
     });
-    constants.emplace_back(name, text);
+    constants.push_back(one_of_them);
   }
 }
 

@@ -11,6 +11,10 @@
 
 DEFINE_string(format, "text", "output format");
 DEFINE_string(out, "", "output folder (fit, report, runs, figures) or file (import, merge, simulate)");
+DEFINE_string(
+    save, "",
+    "a TOML to be written: by fit, the definition of this fit; by check and runs, how the files are read, for "
+    "others of their kind (--definition)");
 DEFINE_bool(force, false, "replace files that mixity did not write, or that were edited since");
 DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(
@@ -187,8 +191,14 @@ Inputs& inputs_of_laws() {
 std::vector<std::string> files_of_flags() {
   std::vector<std::string> files;
   if (!FLAGS_laws.empty()) files.push_back(FLAGS_laws);
-  if (is_set("headings")) files.push_back(value_of("headings"));
+  for (const MetadataField& field : metadata_fields())
+    if (field.is_path && is_set(field.name)) files.push_back(value_of(field.name));
   return files;
+}
+
+const std::string& path_to_save() {
+  if (!FLAGS_save.ends_with(".toml")) throw must("save", "end in .toml");
+  return FLAGS_save;
 }
 
 void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs) {

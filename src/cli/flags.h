@@ -14,6 +14,7 @@
 // Flags of several commands. Those of a single command are defined in its file.
 DECLARE_string(format);
 DECLARE_string(out);
+DECLARE_string(save);
 DECLARE_bool(force);
 DECLARE_string(model);
 DECLARE_int32(points);
@@ -54,11 +55,12 @@ const std::vector<std::string>& laws_of_flags();
 /// Contains the file --laws, once it was read.
 Inputs& inputs_of_laws();
 
-/// Writes all of the files or none (base/files.h). Refuses to overwrite an input, a file named by --laws or --headings,
-/// or, without --force, a file that this program did not write. Keeps each TOML file that changes as NAME.old, and says
-/// so.
+/// Writes all of the files or none (base/files.h). Refuses to overwrite an input, a file named by a flag, or, without
+/// --force, a file that this program did not write. Keeps each TOML file that changes as NAME.old, and says so.
 void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs);
-/// The files named by --laws and --headings.
+/// The value of --save. Throws UsageError if it does not end in .toml.
+const std::string& path_to_save();
+/// The files named by flags.
 std::vector<std::string> files_of_flags();
 
 /// Writes a text to the file --out, which must not be one of the inputs; without --out prints it.

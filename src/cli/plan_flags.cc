@@ -31,7 +31,7 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   const ParameterValues p = parameters_from_flags(model_from(FLAGS_model));
   plan.model = FLAGS_model;
   plan.parameters.assign(p.begin(), p.end());
-  apply_overrides(data_overrides(), plan.constants);
+  plan.constants = stated_by(data_overrides());
   if (is_set("loads"))
     for (const Quantity& load : quantities_from("loads")) {
       if (load.unit.dimension != dimension::force) throw refused("loads", "a load needs a unit such as mN");

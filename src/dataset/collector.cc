@@ -78,6 +78,7 @@ Collector::Collector(const std::string& metadata_path, const std::vector<Heading
   has_errors_ = false;
   for (const ColumnId id : {sigma_T, sigma_A, sigma_Gc, sigma_GI, sigma_GII}) has_errors_ |= columns().has(id);
   data.taken = columns().taken;
+  data.mapping = columns().mapped;
 }
 
 void Collector::row(const CsvRow& row) {

@@ -57,7 +57,7 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
     if (!file.next(row)) throw InputError(data.path, 1, 1, "is empty: a header row is missing");
     headings = headings_of(row);
   }
-  if (file.sheet()) data.notes = file.sheet()->notes;
+  data.notes = file.notes();
   Collector collector(metadata_path, headings, rules, data);
   collector.begin_table(rows.title());
   PointsOfRows use(collector, file, data);
@@ -161,7 +161,7 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides) {
 }
 
 Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs& inputs) {
-  return load_dataset(path, read_metadata(metadata_path(path), inputs), overrides, inputs);
+  return load_dataset(path, metadata_of(path, overrides, inputs), overrides, inputs);
 }
 
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs) {

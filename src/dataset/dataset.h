@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -95,10 +96,11 @@ struct Dataset {
   std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads
   std::vector<bool> shear_reversed;  // per run: whether the sign of T was changed; empty: none
   std::vector<std::string> ignored_columns;
-  std::string reading;             // the file format unless plain: "UTF-16LE, tabs, decimal commas"
-  std::vector<std::string> taken;  // "P from 'Normalkraft (mN)'"
-  bool like_a_log = false;         // it has a column of times, and many rows are not points
-  std::vector<Message> notes;      // on skipped or changed data: sentences that every fit shows
+  std::string reading;                         // the file format unless plain: "UTF-16LE, tabs, decimal commas"
+  std::vector<std::string> taken;              // "P from 'Normalkraft (mN)'"
+  std::map<std::string, std::string> mapping;  // the column of each quantity, as the key columns of its metadata
+  bool like_a_log = false;                     // it has a column of times, and many rows are not points
+  std::vector<Message> notes;                  // on skipped or changed data: sentences that every fit shows
   DisplayUnits display;
 
   /// Offsets, area_scale and force_gain as the metadata state them; 0 for toughness, modulus and radius, which are

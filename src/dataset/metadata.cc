@@ -14,7 +14,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 29> kFields{{
+constexpr std::array<MetadataField, 30> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -50,7 +50,14 @@ constexpr std::array<MetadataField, 29> kFields{{
     {"source", "where the data come from", true},
     {"note", "a note on the data", true},
     {"columns", "which column is which: \"P=Kanal 3 (mN),T=Kanal 4 (N)\", by heading or number", false},
-    {"headings", "a TOML that adds to the names of columns that are known (data/headings.toml)", false},
+    {.name = "headings",
+     .help = "a TOML that adds to the names of columns that are known (data/headings.toml)",
+     .of_experiment = false,
+     .is_path = true},
+    {.name = "definition",
+     .help = "a TOML of constants and of how to read files, as check writes it, for all that no other TOML states",
+     .of_experiment = false,
+     .is_path = true},
     {"decimal", "the decimal sign, where a file can be read in two ways: , or .", false},
     {"sheet", "the sheet of a workbook (.xlsx), by name or number", false},
     {"pixel", "the side of a camera's pixel, for areas in pixels: \"1.7 um\"", false, &Metadata::pixel,
@@ -106,6 +113,22 @@ const MetadataField* find_field(std::string_view name) {
   return nullptr;
 }
 
+/// A number with its standard error, in the unit of the example if that is read back to the last bit, else in SI.
+std::string number_text(const MetadataField& field, double value, double error) {
+  constexpr int kDigits = 15;  // all that a double holds for certain
+  const auto text_in = [&](std::string_view unit, const std::string& number, const std::string& of_error) {
+    return number + (error > 0 ? " +/- " + of_error : "") + (unit.empty() ? "" : " ") + std::string(unit);
+  };
+  const std::string plain = text_in(si_unit(field.dimension), shortest(value), shortest(error));
+  const auto example = parse_uncertain(field.example);
+  if (!example || example->quantity.unit.dimension != field.dimension) return plain;
+  const Unit& unit = example->quantity.unit;
+  const std::string brief =
+      text_in(unit.text, rounded(value / unit.factor, kDigits), rounded(error / unit.factor, kDigits));
+  const auto read = parse_uncertain(brief);
+  return read && read->quantity.si() == value && read->standard_error == error ? brief : plain;
+}
+
 /// All numbers, then all texts.
 std::string known_names() {
   std::string known;
@@ -118,6 +141,11 @@ std::string known_names() {
 }  // namespace
 
 std::span<const MetadataField> metadata_fields() { return kFields; }
+
+bool is_path(std::string_view field) {
+  const MetadataField* const found = find_field(field);
+  return found && found->is_path;
+}
 
 std::string_view si_unit(const Dimension& d) {
   return d == dimension::length            ? "m"
@@ -166,6 +194,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   if (name == "columns") return read_mapping(text, metadata.columns);
   if (name == "sheet") return metadata.sheet = text, "";
   if (name == "headings") return metadata.headings = text, "";
+  if (name == "definition") return metadata.definition = text, "";
   if (name == "load_from") {
     if (text.find("{P}") == std::string_view::npos)
       return given + "it must hold {P}, where the load stands in the file's name: \"run_{P}mN\"";
@@ -240,15 +269,31 @@ std::string add_constants(const Metadata& more, Metadata& constants) {
   return "";
 }
 
+std::optional<std::string> stated_text(const Metadata& metadata, std::string_view name) {
+  const MetadataField* const field = find_field(name);
+  std::string text;
+  if (field && field->number) {
+    const std::optional<double>& value = metadata.*field->number;
+    return value ? std::optional(number_text(*field, *value, metadata.standard_error(name))) : std::nullopt;
+  }
+  if (name == "provenance" && metadata.provenance != Provenance::unstated) text = to_string(metadata.provenance);
+  if (name == "decimal" && metadata.decimal != 0) text = metadata.decimal;
+  if (name == "columns")
+    for (const auto& [quantity, heading] : metadata.columns)
+      text += (text.empty() ? "" : ",") + quantity + "=" + heading;
+  for (const auto& [field_name, value] :
+       {std::pair("source", &Metadata::source), std::pair("note", &Metadata::note),
+        std::pair("headings", &Metadata::headings), std::pair("sheet", &Metadata::sheet),
+        std::pair("definition", &Metadata::definition), std::pair("load_from", &Metadata::load_from)})
+    if (name == field_name) text = metadata.*value;
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
 Overrides constants_as_stated(const Metadata& metadata) {
   Overrides list;
-  for (const MetadataField& field : kFields) {
-    if (!field.number || !field.of_experiment || !(metadata.*field.number)) continue;
-    const std::string_view unit = si_unit(field.dimension);
-    const double error = metadata.standard_error(field.name);
-    list.emplace_back(field.name, shortest(*(metadata.*field.number)) + (error > 0 ? " +/- " + shortest(error) : "") +
-                                      (unit.empty() ? "" : " ") + std::string(unit));
-  }
+  for (const MetadataField& field : kFields)
+    if (field.number && field.of_experiment)
+      if (const auto text = stated_text(metadata, field.name)) list.emplace_back(field.name, *text);
   return list;
 }
 

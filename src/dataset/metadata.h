@@ -51,6 +51,7 @@ struct Metadata {
   // How to read the file.
   std::map<std::string, std::string> columns;  // quantity -> heading
   std::string headings;                        // path of a TOML that adds to the vocabulary
+  std::string definition;                      // path of a TOML that states what this one does not
   std::string load_from;                       // "run_{P}mN": where the file's name states the load
   char decimal = 0;                            // '.' or ','; 0: inferred from the numbers
   std::string sheet;                           // of a workbook: name or number; empty: inferred from the headings
@@ -75,9 +76,13 @@ struct MetadataField {
   std::optional<double> Metadata::*number = nullptr;  // null: the field is a text
   Dimension dimension{};                              // of the number
   std::string_view example{};                         // example of a value, as text
+  bool is_path = false;                               // of a file, relative to the folder of a TOML that names it
 };
 /// All fields in the order of the help.
 std::span<const MetadataField> metadata_fields();
+
+/// Whether the field names a file.
+bool is_path(std::string_view field);
 
 /// "Pa"; empty for a number without a unit.
 std::string_view si_unit(const Dimension& dimension);
@@ -103,6 +108,20 @@ inline Metadata read_metadata(const std::string& path) {
   Inputs inputs;
   return read_metadata(path, inputs);
 }
+
+/// What is stated for a data file: the TOML beside it, and what that leaves open in the definition that it or one of
+/// the overrides names. Overrides are not applied. Throws InputError as read_metadata does, and if there is no
+/// definition.
+Metadata metadata_of(const std::string& csv_path, const Overrides& overrides, Inputs& inputs);
+
+/// The same for what is stated in another way.
+Metadata with_definition(Metadata own, const Overrides& overrides, Inputs& inputs);
+
+/// What options state without a data file: their definition, and the options themselves. Throws InputError as both do.
+Metadata stated_by(const Overrides& overrides);
+
+/// The value of a field as a text that set_field accepts; null if it is not stated.
+std::optional<std::string> stated_text(const Metadata& metadata, std::string_view name);
 
 /// Adds the constants stated beside one file to those of other files of the same experiment. Returns the contradiction,
 /// or an empty string. If provenances differ, keeps the less direct one.

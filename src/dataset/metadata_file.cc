@@ -46,9 +46,41 @@ Metadata read_metadata(const std::string& path, Inputs& inputs) {
     const std::string problem = set_field(metadata, name, text);
     if (!problem.empty()) fail_at(path, node, problem);
   }
-  if (!metadata.headings.empty())
-    metadata.headings = (std::filesystem::path(path).parent_path() / metadata.headings).string();
+  for (std::string* const file : {&metadata.headings, &metadata.definition})
+    if (!file->empty()) *file = (std::filesystem::path(path).parent_path() / *file).string();
   return metadata;
+}
+
+Metadata metadata_of(const std::string& csv_path, const Overrides& overrides, Inputs& inputs) {
+  return with_definition(read_metadata(metadata_path(csv_path), inputs), overrides, inputs);
+}
+
+Metadata with_definition(Metadata own, const Overrides& overrides, Inputs& inputs) {
+  for (const auto& [name, text] : overrides)
+    if (name == "definition") own.definition = text;
+  if (own.definition.empty()) return own;
+  inputs.read(own.definition);  // throws if there is none
+  const Metadata common = read_metadata(own.definition, inputs);
+  if (!common.definition.empty()) throw InputError(own.definition, "names another definition; one is read");
+  const auto replaced = [&](std::string_view name) {  // by another field
+    if (name == "modulus") return own.youngs_modulus || own.poisson_ratio;
+    if (name == "youngs_modulus" || name == "poisson_ratio") return own.modulus.has_value();
+    if (name == "load") return !own.load_from.empty();
+    return name == "load_from" && own.load.has_value();
+  };
+  Metadata whole = own;
+  for (const MetadataField& field : metadata_fields()) {
+    const auto text = stated_text(common, field.name);
+    if (text && !stated_text(own, field.name) && !replaced(field.name)) set_field(whole, field.name, *text);
+  }
+  return whole;
+}
+
+Metadata stated_by(const Overrides& overrides) {
+  Inputs inputs;
+  Metadata stated = with_definition({}, overrides, inputs);
+  apply_overrides(overrides, stated);
+  return stated;
 }
 
 }  // namespace mixity

@@ -99,6 +99,10 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
     whole.notes.push_back(name + ": read as " + (part.reading.empty() ? "plain CSV" : part.reading));
   if (part.taken != whole.taken)
     whole.notes.push_back(name + ": " + (part.taken.empty() ? "columns by their own names" : joined(part.taken)));
+  std::erase_if(whole.mapping, [&](const auto& one) {
+    const auto found = part.mapping.find(one.first);
+    return found == part.mapping.end() || found->second != one.second;
+  });
   for (const std::string& column : part.ignored_columns)
     if (std::find(whole.ignored_columns.begin(), whole.ignored_columns.end(), column) == whole.ignored_columns.end())
       whole.ignored_columns.push_back(column);
@@ -130,7 +134,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
   for (const RunFile& file : files) paths.push_back(file.path);
   if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its points would count twice");
   for (const RunFile& file : files) {
-    stated.push_back(read_metadata(metadata_path(file.path), inputs));
+    stated.push_back(metadata_of(file.path, overrides, inputs));
     if (const std::string problem = add_constants(stated.back(), constants); !problem.empty())
       throw InputError(metadata_path(file.path), problem);
   }
@@ -162,6 +166,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
       whole.metadata = part.metadata;
       whole.reading = part.reading;
       whole.taken = part.taken;
+      whole.mapping = part.mapping;
     }
     std::size_t last = 0;
     for (const Point& point : part.points) last = std::max(last, point.line);

@@ -13,18 +13,12 @@
 
 namespace mixity {
 
-namespace {
-
-using Contents = std::vector<std::pair<std::string, nb::bytes>>;
-
 std::vector<InputFile> inputs_of(const Contents& contents) {
   std::vector<InputFile> files;
   for (const auto& [path, bytes] : contents)
     files.push_back({path, 0, {}, std::make_shared<const std::string>(bytes.c_str(), bytes.size())});
   return files;
 }
-
-}  // namespace
 
 Dataset load_files(const std::vector<std::string>& paths, const Stated& constants, Inputs& inputs) {
   if (paths.size() == 1) return load_dataset(paths[0], constants, inputs);
@@ -91,17 +85,29 @@ void bind_data(nb::module_& m) {
              return numpy_of(std::move(values));
            })
       .def("__len__", [](const Dataset& d) { return d.points.size(); });
-  // contents: files read before, by path; null: files are read from disk
+  // contents: files read before, by path; null: files are read from disk, except those of `made`, which are texts made
+  // of other files
   m.def(
       "read",
-      [](const std::vector<std::string>& paths, const Stated& constants, const std::optional<Contents>& contents) {
-        Inputs inputs;
-        if (contents) inputs = Inputs(inputs_of(*contents));
+      [](const std::vector<std::string>& paths, const Stated& constants, const std::optional<Contents>& contents,
+         const Contents& made) {
+        Inputs inputs(inputs_of(contents ? *contents : made),
+                      contents ? Inputs::Others::none : Inputs::Others::from_disk);
         const nb::gil_scoped_release released;
         return load_files(paths, constants, inputs);
       },
-      nb::arg(), nb::arg(), nb::arg().none() = nb::none());
+      nb::arg(), nb::arg(), nb::arg().none() = nb::none(), nb::arg() = Contents());
+  m.def("columns_stated", [](const std::string& path, const Stated& constants) {
+    Inputs inputs;
+    Metadata metadata = metadata_of(path, constants, inputs);
+    apply_overrides(constants, metadata);
+    return metadata.columns;
+  });
   m.def("files_of", &files_of);
+  m.def("constants_of_definition", [](const std::string& path) {
+    Inputs inputs;
+    return constants_as_stated(with_definition({}, {{"definition", path}}, inputs));
+  });
   m.def("column_names", [] {
     std::vector<std::string_view> names;
     for (const ColumnKind& kind : kColumnKinds) names.push_back(kind.name);

@@ -18,20 +18,38 @@ struct Reduction {
   ReducedLogs logs;
 };
 
-std::string checked_files(const std::vector<std::string>& paths, const Stated& constants) {
+/// Writes a definition, unless `path` is null.
+void save_definition(const std::vector<UnderstoodFile>& understood, const std::optional<std::string>& path, bool force,
+                     std::vector<std::string> inputs) {
+  if (!path) return;
+  if (!path->ends_with(".toml")) throw InputError("save", "is '" + *path + "'; it must end in .toml");
+  for (std::size_t i = 0, n = inputs.size(); i < n; ++i) inputs.push_back(metadata_path(inputs[i]));
+  std::vector<OutputFile> files{{*path, definition_text(understood, *path, in_keywords)}};
+  keep_former(files);
+  write_files(files, {inputs, force, {}});
+}
+
+std::string checked_files(const std::vector<std::string>& paths, const Stated& constants,
+                          const std::optional<std::string>& save, bool force, const Contents& made) {
+  const std::vector<InputFile> given = inputs_of(made);
   const nb::gil_scoped_release released;
   const auto load = [&](const Overrides& with) {
-    Inputs inputs;
+    Inputs inputs(given, Inputs::Others::from_disk);
     return load_files(paths, with, inputs);
   };
   CheckedData found = check_data(load, constants, in_keywords);
+  save_definition({found.file}, save, force, paths);
   if (found.missing) found.text += found.missing->text(in_keywords) + "\n";
   return found.text;
 }
 
-std::string checked_data(const Dataset& data) {
+std::string checked_data(const Dataset& data, const std::optional<std::string>& save, bool force) {
   const nb::gil_scoped_release released;
-  return check_data([&](const Overrides&) { return data; }, {}, in_keywords).text;
+  const CheckedData found = check_data([&](const Overrides&) { return data; }, {}, in_keywords);
+  std::vector<std::string> inputs;
+  for (const InputFile& one : data.inputs) inputs.push_back(one.path);
+  save_definition({found.file}, save, force, std::move(inputs));
+  return found.text;
 }
 
 FigureFormats formats_of(const std::string& text) {
@@ -93,8 +111,8 @@ nb::dict shown(const LoadingRun& run) {
 }  // namespace
 
 void bind_reports(nb::module_& m) {
-  m.def("checked_files", &checked_files);
-  m.def("checked_data", &checked_data);
+  m.def("checked_files", &checked_files, nb::arg(), nb::arg(), nb::arg().none(), nb::arg(), nb::arg());
+  m.def("checked_data", &checked_data, nb::arg(), nb::arg().none(), nb::arg());
   m.def("report", &report, nb::arg(), nb::arg().none(), nb::arg(), nb::arg(), nb::arg().none());
   nb::class_<Reduction>(m, "ReducedLog")
       .def("csv", [](const Reduction& of) { return runs_csv(of.logs); })
@@ -114,6 +132,11 @@ void bind_reports(nb::module_& m) {
              write_files(output.files, {read, force, {}});
              return output.missing;
            })
+      .def("save_definition",
+           [](const Reduction& of, const std::string& path, bool force, const std::vector<std::string>& inputs) {
+             const nb::gil_scoped_release released;
+             save_definition(understood(of.logs), path, force, inputs);
+           })
       .def("runs", [](const Reduction& of) {
         nb::list all;
         for (const ReducedLog& log : of.logs)
@@ -123,13 +146,14 @@ void bind_reports(nb::module_& m) {
   m.def(
       "runs",
       [](const std::vector<std::string>& paths, const Stated& constants, std::optional<double> lag,
-         std::optional<bool> drift, const std::string& cuts) {
+         std::optional<bool> drift, const std::string& cuts, const Contents& made) {
+        const Inputs inputs(inputs_of(made), Inputs::Others::from_disk);
         const nb::gil_scoped_release released;
-        ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts});
+        ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts, inputs});
         if (has_no_run(logs)) refuse_without_runs(paths[0]);
         return Reduction{std::move(logs)};
       },
-      nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg());
+      nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg());
 }
 
 }  // namespace mixity

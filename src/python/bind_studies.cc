@@ -19,7 +19,7 @@ Plan plan_of(const std::string& model, const std::vector<double>& parameters, co
              const std::vector<double>& loads, std::size_t points, double reach, const std::string& sigma_T,
              const std::string& sigma_A) {
   Plan plan{model, parameters, {}, loads, points, reach, {}, {}};
-  apply_overrides(constants, plan.constants);
+  plan.constants = stated_by(constants);
   const auto error_of = [](const char* name, const std::string& text) {
     const auto error = parse_quantity(text);
     if (!error) throw InputError(name, "is '" + text + "'; it must be \"1%\" or a quantity");

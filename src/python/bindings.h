@@ -34,6 +34,10 @@ using Codes = nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::c
 /// Names and texts, as for constants and options.
 using Stated = std::vector<std::pair<std::string, std::string>>;
 
+/// Files by path, with their bytes.
+using Contents = std::vector<std::pair<std::string, nb::bytes>>;
+std::vector<InputFile> inputs_of(const Contents& contents);
+
 /// Hands an array over to Python.
 inline nb::ndarray<nb::numpy, double> numpy_of(std::vector<double> values) {
   auto* const owned = new std::vector<double>(std::move(values));

@@ -28,9 +28,11 @@ CheckedData check_data(const std::function<Dataset(const Overrides&)>& load, con
                        Wording words) {
   try {
     const Dataset data = load(constants);
-    return {check_text(data, unsheared_if_errors_allow(data), words), !data.points.empty(), {}};
+    return {check_text(data, unsheared_if_errors_allow(data), words), !data.points.empty(), understood(data), {}};
   } catch (const MissingConstants& error) {
-    return {reading_text(load(with_some(error.message().options(), constants))), false, error};
+    const std::vector<std::string> missing = error.message().options();
+    const Dataset data = load(with_some(missing, constants));
+    return {reading_text(data), false, understood(data, missing), error};
   }
 }
 

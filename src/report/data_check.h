@@ -7,12 +7,14 @@
 
 #include "base/input_error.h"
 #include "dataset/dataset.h"
+#include "dataset/definition.h"
 
 namespace mixity {
 
 struct CheckedData {
   std::string text;                           // check_text, or reading_text if constants are missing
   bool usable = false;                        // there are points
+  UnderstoodFile file;                        // for a definition
   std::optional<MissingConstants> missing{};  // constants that the data need and that are not stated
 };
 

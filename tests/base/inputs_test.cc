@@ -60,6 +60,16 @@ TEST(Inputs, ThatAreGivenAreNotReadFromDisk) {
   EXPECT_EQ(error_of([&] { inputs.read(other); }), other + ": is not among the files that were read before");
 }
 
+TEST(Inputs, ThatAreGivenMayStandBesideFilesOnDisk) {
+  const TemporaryFolder folder;
+  const std::string here = folder.write("a.toml", "radius"), made = folder.write("a.mat", "binary");
+  Inputs inputs({{made, 0, {}, std::make_shared<const std::string>("P,T,A\n")}}, Inputs::Others::from_disk);
+  EXPECT_TRUE(inputs.exists(here) && inputs.exists(made));
+  EXPECT_FALSE(inputs.exists(folder.path("none")));
+  EXPECT_EQ(inputs.read(made), "P,T,A\n");
+  EXPECT_EQ(inputs.read(here), "radius");
+}
+
 TEST(InputStream, NoticesAFileThatIsCutOrGrowsWhileItIsRead) {
   const TemporaryFolder folder;
   const std::string whole(100000, 'x');

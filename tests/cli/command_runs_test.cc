@@ -112,7 +112,8 @@ TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
   EXPECT_EQ(complaint({"runs", still}),
             "mixity: still.csv: holds no loading run: no contact under one load in which T rises");
   EXPECT_EQ(complaint({"runs", kLog, "--cuts=" + cuts}),
-            "mixity: cuts.toml: states cuts of a run 'P=99 mN', which the log does not have");
+            "mixity: cuts.toml: states cuts of a run 'P=99 mN', which the log does not have (it has "
+            "P=7.73 mN, P=2.92 mN, P=0.942 mN)");
   EXPECT_EQ(run_program({"runs", kLog, "--cuts=" + cuts}).exit_code, 3);
   const std::string late = folder.write("late.toml", "[[cuts]]\nrun = \"P=7.73 mN\"\nonset = \"7000 s\"\n");
   const std::string outside = complaint({"runs", kLog, "--cuts=" + late});

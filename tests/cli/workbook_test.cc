@@ -88,4 +88,16 @@ TEST(Workbook, SheetChoosesInEveryCommand) {
   EXPECT_EQ(imported.out, "curve,P [mN],T [mN],A [mm^2]\ndry,5,0,0.4\ndry,5,1.2340,0.3\n") << imported.err;
 }
 
+TEST(Workbook, IsNamedWhereASheetIsStatedAndTheFileIsNone) {
+  const TemporaryFolder folder;
+  const std::string data = folder.write("a.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n"),
+                    note = "the sheet that is stated, 'Run 2', is not used: the file is no workbook";
+  EXPECT_NE(run_program({"check", data, "--sheet=Run 2"}).out.find(note), std::string::npos);
+  EXPECT_NE(run_program({"runs", MIXITY_ROOT "/data/shear_log.csv", "--sheet=Run 2"}).out.find(note),
+            std::string::npos);
+  const std::string plot = folder.write("plot.csv", "run 1,\nX,Y\n0,19.6\n1,19.5\n");
+  expect_refused({"import", plot, "--x=T", "--y=A", "--loads=1", "--sheet=2"}, 3,
+                 "--sheet: " + plot + " is no workbook");
+}
+
 }  // namespace mixity::cli

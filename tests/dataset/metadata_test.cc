@@ -118,7 +118,8 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
             "toughness_II, "
             "shear_strength, load_offset, shear_offset, area_offset, area_scale, force_gain, modulus_drift, "
             "toughness_drift, "
-            "shape, hysteresis, pixel, load, rate, fps, table, provenance, source, note, columns, headings, decimal, "
+            "shape, hysteresis, pixel, load, rate, fps, table, provenance, source, note, columns, headings, "
+            "definition, decimal, "
             "sheet, load_from)"},
        })
     EXPECT_EQ(error_of(toml), "a.toml:" + error) << toml;

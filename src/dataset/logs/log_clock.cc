@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/logs/stated_rate.h"
+#include "statistics/readings.h"
 
 namespace mixity {
 namespace {
@@ -39,7 +40,7 @@ std::optional<double> LogClock::stated(bool by_frames) {
   };
   if (metadata_.fps && (areas_ && (by_frames || both || !metadata_.rate))) return option("fps", metadata_.fps);
   if (metadata_.rate && (!by_frames || forces_)) return option("rate", metadata_.rate);
-  const auto found = stated_rate(path_, head_);
+  const auto found = stated_rate(path_, head_, &not_taken_);
   if (!found) return std::nullopt;
   text_ = std::string(by_frames ? "times by the numbers of frames and" : "times by") + " the rate in line " +
           std::to_string(found->line) + ", " + rounded(found->rate, 6) + " Hz";
@@ -65,6 +66,7 @@ void LogClock::count_by_rate(bool column_is_empty) {
   else
     text += "; state the rate of the rows, such as " + (areas_ && !forces_ ? by_frames : by_rate);
   if (!column_is_empty) text += ", or which column it is: " + Remedy::set("columns", "time=HEADING (s)");
+  if (!not_taken_.empty()) text += "; " + not_taken_ + ", is not taken for it";
   throw InputError(path_, table_.header_line, 1, text);
 }
 
@@ -164,6 +166,23 @@ double LogClock::clock_time(const CsvRow& row) {
   }
   last_ = time;
   return static_cast<double>(time->seconds - began_->seconds) + (time->fraction - began_->fraction);
+}
+
+std::string LogClock::unused_rate(const std::vector<double>& times) const {
+  // The rate is that of forces where there are two files, and fps that of areas.
+  const bool is_rate = metadata_.rate && forces_;
+  if (!time_ || !(is_rate || (metadata_.fps && areas_))) return {};
+  constexpr double kDeviation = 0.01;  // of clocks: crystals deviate by 1e-4, frame rates are rounded (29.97)
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  const double rate = 1 / median(std::move(steps));
+  const std::string name = is_rate ? "rate" : "fps", found = rounded(rate, 6) + " rows a second",
+                    text = printable(table_.headings[time_->index].text, 40);
+  if (is_rate && std::abs(rate / *metadata_.rate - 1) > kDeviation)
+    throw InputError(path_, table_.header_line, 1,
+                     "column '" + text + "' has " + found + ", and the rate that is stated is " +
+                         rounded(*metadata_.rate, 6) + " Hz: leave out the one that is wrong");
+  return "the " + name + " that is stated is not used: column '" + text + "' has " + found;
 }
 
 std::size_t LogClock::line_of(std::size_t i) const {

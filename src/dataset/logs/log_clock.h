@@ -37,6 +37,9 @@ class LogClock {
   /// Gives rows that share a stamp times of their own (time_base.h). `first`: the row of the first time. Throws
   /// InputError if no constant rate explains them.
   std::vector<double> spread(std::vector<double> times, std::size_t first, TimeBase& base) const;
+  /// What to say about a rate that is stated although a column has the times, which are those of a log; empty if none
+  /// is. Throws InputError if they have another rate.
+  std::string unused_rate(const std::vector<double>& times) const;
   /// "times by the rate in line 3, 400 Hz"; empty if a column states them.
   const std::string& text() const { return text_; }
 
@@ -51,7 +54,7 @@ class LogClock {
   const std::string& path_;
   const Table& table_;
   const Metadata& metadata_;
-  std::string head_, text_;
+  std::string head_, text_, not_taken_;
   const Column *time_, *frame_;  // null: there is no such column, or it is not read
   bool forces_, areas_;
   double rate_ = 0;                   // 1/s, of rows or frames

@@ -46,11 +46,11 @@ class LogReader : public UseOfRows {
     clock_.emplace(recording_.path, *rows.table(), columns_, metadata_, rows.head());
     rows.read(*this);
     recording_.reading = file_.sheet() ? describe(*file_.sheet(), describe(rows)) : describe(rows);
-    if (file_.sheet())
-      for (const Message& note : file_.sheet()->notes) recording_.reading += "; " + note.text();
+    for (const Message& note : file_.notes()) recording_.reading += "; " + note.text();
     if (!clock_->text().empty()) recording_.reading += ", " + clock_->text();
     for (const auto& [line, names] : rows.other_tables())
       recording_.reading += ", the table in line " + std::to_string(line) + " not read";
+    recording_.reading += lines_left_out();
     std::vector<std::size_t> begins = clock_->logs();
     if (begins.size() < 2) return {recording_of(0, clock_->times().size())};
     std::vector<Recording> logs;
@@ -75,10 +75,19 @@ class LogReader : public UseOfRows {
     clock_->keep(row, time);
     for (std::size_t k = 0; k < channels_.size(); ++k) channels_[k].values.push_back(values_[k]);
   }
-  void left_out(std::size_t, std::string_view) override {}
+  void left_out(std::size_t line, std::string_view reason) override { left_out_.emplace_back(line, reason); }
   void begin_table(const std::string&) override { clock_->begin_table(); }
 
  private:
+  /// ", line 7 left out: words below the table", for the first few.
+  std::string lines_left_out() const {
+    constexpr std::size_t kShown = 8;
+    std::string text;
+    for (std::size_t i = 0; i < left_out_.size() && i < kShown; ++i)
+      text += ", line " + std::to_string(left_out_[i].first) + " left out: " + std::string(left_out_[i].second);
+    if (left_out_.size() > kShown) text += ", and " + std::to_string(left_out_.size() - kShown) + " more lines";
+    return text;
+  }
   /// The value in SI; NaN if the field is empty.
   double value_of(const CsvRow& row, const Channel& channel) {
     double value = 0;
@@ -96,6 +105,7 @@ class LogReader : public UseOfRows {
       throw InputError(log.path, whole ? 0 : clock_->line_of(begin), 0, "holds fewer than three rows of a log");
     }
     log.time = times_of(begin, end, log.clock);
+    if (const std::string unused = clock_->unused_rate(log.time); !unused.empty()) log.reading += ", " + unused;
     log.T = values(T);
     log.A = has(A) ? values(A) : areas();
     log.load_is_stated = has(T) && !has(P);
@@ -144,6 +154,7 @@ class LogReader : public UseOfRows {
     using enum ColumnId;
     recording_.headings = table.headings;
     recording_.taken = columns.taken;
+    recording_.mapping = columns.mapped;
     for (const auto& column : columns.by_id) {
       if (!column || is_clock(column->id)) continue;
       const Heading& heading = table.headings[column->index];
@@ -194,7 +205,8 @@ class LogReader : public UseOfRows {
   CsvFile file_;
   Recording recording_;
   std::vector<Channel> channels_;
-  std::vector<double> values_;  // of the row, by channel
+  std::vector<double> values_;                                      // of the row, by channel
+  std::vector<std::pair<std::size_t, std::string_view>> left_out_;  // lines, and why
   Columns columns_;
   std::optional<LogClock> clock_;
   ChannelClocks channel_clocks_;
@@ -202,8 +214,7 @@ class LogReader : public UseOfRows {
 
 }  // namespace
 
-std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata) {
-  Inputs inputs;
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata, Inputs& inputs) {
   ColumnRules rules = rules_of(metadata, inputs);
   rules.log = rules.shared_mapping = true;
   CsvFile file(path, inputs, {metadata.sheet, metadata.decimal, &rules});

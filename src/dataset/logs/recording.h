@@ -1,6 +1,7 @@
 // A log: forces, areas or both over time, recorded with one clock.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,13 @@ struct Recording {
   std::vector<double> time;  // s, rising
   TimeBase clock;
   std::vector<double> P, T, A;
-  bool load_is_stated = false;               // P has no column and no zero to be read
-  std::string force_unit, area_unit;         // in the file; mm^2 for areas in pixels and areas from radii or axes
-  double force_factor = 1, area_factor = 1;  // one unit in SI
-  std::string reading;                       // the format of the file: "tabs, decimal commas"
-  std::vector<Heading> headings;             // of the table
-  std::vector<std::string> taken;            // "P from 'Normalkraft (mN)'"
+  bool load_is_stated = false;                 // P has no column and no zero to be read
+  std::string force_unit, area_unit;           // in the file; mm^2 for areas in pixels and areas from radii or axes
+  double force_factor = 1, area_factor = 1;    // one unit in SI
+  std::string reading;                         // the format of the file: "tabs, decimal commas"
+  std::vector<Heading> headings;               // of the table
+  std::vector<std::string> taken;              // "P from 'Normalkraft (mN)'"
+  std::map<std::string, std::string> mapping;  // as Dataset::mapping
 
   bool holds_forces() const { return !T.empty(); }
   bool holds_areas() const { return !A.empty(); }
@@ -40,6 +42,6 @@ inline std::vector<Recording> read_recordings(const std::string& path, const Met
 }
 
 /// The headings of its table; none if it has no table.
-std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata);
+std::vector<Heading> headings_of_log(const std::string& path, const Metadata& metadata, Inputs& inputs);
 
 }  // namespace mixity

@@ -5,6 +5,8 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/phrases.h"
+#include "base/text.h"
 #include "base/toml_file.h"
 #include "base/units.h"
 #include "dataset/logs/clocks.h"
@@ -19,17 +21,15 @@ namespace mixity {
 namespace {
 
 /// Throws for a quantity of the mapping whose column is in none of the files. `files`: those that were read; the
-/// headings of the others are read from disk, for the message alone.
+/// headings of the others are read for the message alone.
 void require_mapped(const std::vector<std::string>& paths, const std::vector<std::vector<Recording>>& files,
-                    const Overrides& constants) {
-  Metadata metadata;
-  apply_overrides(constants, metadata);
+                    Metadata metadata, Inputs& inputs) {
   ColumnRules rules;
   rules.mapping = metadata.columns;
   std::string there;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const std::vector<Heading> headings =
-        k < files.size() ? files[k].front().headings : headings_of_log(paths[k], metadata);
+        k < files.size() ? files[k].front().headings : headings_of_log(paths[k], metadata, inputs);
     for (const ColumnId id : mapped_in(headings, rules)) metadata.columns.erase(std::string(to_string(id)));
     Table table;
     table.headings = headings;
@@ -81,20 +81,27 @@ std::vector<Recordings> logs_of(std::vector<Recordings> files) {
   return logs;
 }
 
-std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants,
+std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants, Inputs inputs,
                                   Metadata& metadata) {
   if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its runs would count twice");
-  Inputs inputs;
   std::vector<Recordings> files;
-  const bool mapped = paths.size() > 1 && std::any_of(constants.begin(), constants.end(),
-                                                      [](const auto& one) { return one.first == "columns"; });
+  std::vector<Metadata> stated;
   for (const std::string& path : paths) {
-    Metadata own = read_metadata(metadata_path(path), inputs);
-    apply_overrides(constants, own);
+    stated.push_back(metadata_of(path, constants, inputs));
+    apply_overrides(constants, stated.back());
+  }
+  // One mapping for all files, as an option, a definition or equal files beside them state it: each has its part of it.
+  const Metadata& common = stated.front();
+  const bool mapped =
+      paths.size() > 1 && !common.columns.empty() &&
+      std::all_of(stated.begin(), stated.end(), [&](const Metadata& one) { return one.columns == common.columns; });
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const std::string& path = paths[k];
+    const Metadata& own = stated[k];
     try {
       files.push_back(read_recordings(path, own, inputs, mapped));
     } catch (const InputError&) {
-      if (mapped) require_mapped(paths, files, constants);
+      if (mapped) require_mapped(paths, files, common, inputs);
       throw;
     }
     if (files.size() == 1)
@@ -102,8 +109,21 @@ std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const O
     else if (const std::string problem = add_constants(own, metadata); !problem.empty())
       throw InputError(metadata_path(path), problem);
   }
-  if (mapped) require_mapped(paths, files, constants);
+  if (mapped) require_mapped(paths, files, common, inputs);
   return logs_of(std::move(files));
+}
+
+/// The columns of both recordings of a log. If they find a quantity in columns of different names, as `stated`, if it
+/// is.
+std::map<std::string, std::string> common_mapping(const Recordings& recordings,
+                                                  const std::map<std::string, std::string>& stated) {
+  std::map<std::string, std::string> mapping = recordings.front().mapping;
+  for (const auto& [quantity, column] : recordings.back().mapping)
+    if (const auto [one, is_new] = mapping.emplace(quantity, column); !is_new && one->second != column) {
+      mapping.erase(one);
+      if (const auto given = stated.find(quantity); given != stated.end()) mapping.insert(*given);
+    }
+  return mapping;
 }
 
 /// Correlation of load and area; 0 if one of them is constant.
@@ -158,6 +178,7 @@ ReducedLog reduced(Recordings recordings, const Metadata& metadata, std::optiona
                    const RunOptions& options) {
   ReducedLog log;
   log.metadata = metadata;
+  log.mapping = common_mapping(recordings, metadata.columns);
   Recording& forces = recordings.front();
   const Recording& areas = recordings.back();
   const bool two = recordings.size() > 1;
@@ -182,12 +203,13 @@ ReducedLog reduced(Recordings recordings, const Metadata& metadata, std::optiona
 
 ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& constants,
                         const ReductionOptions& options) {
+  constexpr std::size_t kShown = 200;
   RunOptions run_options;
   run_options.drift = options.drift;
   if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
   Metadata metadata;
   ReducedLogs logs;
-  std::vector<Recordings> all = read_logs(paths, constants, metadata);
+  std::vector<Recordings> all = read_logs(paths, constants, options.inputs, metadata);
   const bool pairs = std::any_of(all.begin(), all.end(), [](const Recordings& one) { return one.size() > 1; });
   for (Recordings& recordings : all) {
     const auto lag = pairs && recordings.size() == 1 ? std::nullopt : options.lag;  // a lag is between two clocks
@@ -202,9 +224,21 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
   }
   const std::vector<std::string>& names = run_options.taken;
   for (const auto& [name, cut] : run_options.cuts)
-    if (!cut.leave_out && std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError(options.cuts_path, "states cuts of a run '" + name + "', which the log does not have");
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError(options.cuts_path, (cut.leave_out ? "leaves out a run '" : "states cuts of a run '") +
+                                              printable(name, std::string::npos) +
+                                              "', which the log does not have (it has " +
+                                              printable(joined(names), kShown) + ")");
   return logs;
+}
+
+std::vector<UnderstoodFile> understood(const ReducedLogs& logs) {
+  std::vector<UnderstoodFile> files;
+  for (const ReducedLog& log : logs) {
+    files.push_back({log.forces.path, log.metadata, log.mapping});
+    if (auto& offset = files.back().metadata.load_offset; offset && log.load_turned) *offset = 0 - *offset;
+  }
+  return files;
 }
 
 std::map<std::string, StatedCut> read_cuts(const std::string& path) {

@@ -6,7 +6,9 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "base/units.h"
+#include "dataset/logs/rate_unit.h"
 #include "dataset/table/heading.h"
 #include "dataset/table/number.h"
 
@@ -30,44 +32,52 @@ constexpr std::array kIntervalNames{
     "zeitinkrement",    "pasdetemps",       "passotemporale",      "pasodetiempo",           "loginterval",
     "intervalofsamples"};
 
+// Words beside such a name that leave it the rate of the rows; "Max." or "camera" do not.
+constexpr std::array kPlainWords{
+    "data",       "daq",          "acquisition", "acq",       "frequency",  "freq",    "frequence",    "frequenza",
+    "frecuencia", "taux",         "tasa",        "rate",      "in",         "of",      "the",          "for",
+    "rows",       "row",          "log",         "logging",   "logger",     "signal",  "channel",      "channels",
+    "all",        "actual",       "real",        "effective", "current",    "used",    "measurement",  "recording",
+    "file",       "per",          "der",         "des",       "daten",      "messung", "aufzeichnung", "kanal",
+    "kanale",     "tatsachliche", "value",       "sample",    "sampling",   "time",    "interval",     "de",
+    "d",          "di",           "la",          "cadence",   "intervalle", "periode"};
+
+/// The name that the words contain; null if there is none.
 template <class Names>
-bool names_one(const std::string& words, const Names& names) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](const char* name) { return words.find(name) != std::string::npos; });
+const char* name_in(const std::string& words, const Names& names) {
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const char* name) { return words.find(name) != std::string::npos; });
+  return found == names.end() ? nullptr : *found;
 }
 
-/// The unit of a rate, in 1/s, or of an interval, in s.
-std::optional<Unit> rate_unit(std::string_view text) {
-  text = without_brackets(text);
-  const auto unit = parse_unit(text);
-  if (unit && (unit->dimension == dimension::frequency || unit->dimension == dimension::time)) return unit;
-  const std::string word = folded(text);
-  // "kS/s", "MSa/s"
-  const double prefix = text.starts_with('k') ? 1e3 : text.starts_with('M') ? 1e6 : 1;
-  for (const std::string_view name :
-       {"fps", "framespersecond", "framess", "framessec", "samplespersecond", "sampless", "samplessec", "samplessecond",
-        "ss", "sas", "sps", "pointss", "pointssec", "pointspersecond", "ptss", "ptssec", "hz", "hertz", "bilders"}) {
-    if (word == name) return Unit{1, dimension::frequency, std::string(text)};
-    if (prefix > 1 && word.substr(1) == name) return Unit{prefix, dimension::frequency, std::string(text)};
+/// Whether all other words leave this name the rate of the rows.
+bool stands_alone(std::string_view name, std::string_view heading) {
+  while (!heading.empty()) {
+    const std::size_t end = std::min(heading.find_first_of(" _-'/.,"), heading.size());
+    std::string word = folded(heading.substr(0, end));
+    heading.remove_prefix(std::min(end + 1, heading.size()));
+    if (name.find(word) != std::string_view::npos) continue;  // part of the name
+    if (const std::size_t at = word.find(name); at != std::string::npos) word.erase(at, name.size());
+    const bool plain =
+        std::any_of(kPlainWords.begin(), kPlainWords.end(), [&](std::string_view one) { return one == word; });
+    if (!word.empty() && !plain && !rate_unit(word)) return false;
   }
-  for (const std::string_view name : {"seconds", "second", "sekunden", "secs", "secondes", "secondi", "segundos"})
-    if (word == name) return Unit{1, dimension::time, std::string(text)};
-  if (word == "msec" || word == "milliseconds") return Unit{1e-3, dimension::time, std::string(text)};
-  return std::nullopt;
+  return true;
 }
 
 /// A number of a line, and its unit if one follows.
 struct Statement {
-  std::string words;  // before it
+  std::string heading, words;  // before it: as written, and folded
   double value = 0;
   std::optional<Unit> unit;
+  bool clear = true;  // false: the number can be read in two ways, or something follows it that is no known unit
 };
 
 /// What stands behind a number up to a remark: "Hz" of "Hz (of 4 kHz)" or of "Hz, filtered".
 std::string_view without_remark(std::string_view text) { return trim(text.substr(0, text.find_first_of("(,", 1))); }
 
 /// Splits "words: number unit" at the first colon, equals sign or separator of columns, else at the number. Null if
-/// what stands behind the number is no unit, such as "samples/min", unless the words have one.
+/// there is no number.
 std::optional<Statement> read_statement(std::string_view line) {
   line = line.substr(std::min(line.find_first_not_of("#%;\"' \t"), line.size()));
   std::size_t open = 0, cut = 0;  // of brackets; where the words end
@@ -90,12 +100,14 @@ std::optional<Statement> read_statement(std::string_view line) {
   const auto read = [&](std::size_t size) {
     NumberStyle style;
     const std::string_view number = value.substr(0, size);
-    return !number.empty() &&
-           (parse_number(number, '.', made.value, &style) || parse_number(number, ',', made.value, &style)) &&
-           !style.doubtful;
+    const bool is_number = !number.empty() && (parse_number(number, '.', made.value, &style) ||
+                                               parse_number(number, ',', made.value, &style));
+    made.clear = !style.doubtful;
+    return is_number;
   };
   if (!read(digits) || !(made.value > 0)) return std::nullopt;
   const Heading heading = split_heading(words, {});
+  made.heading = heading.name;
   made.words = folded(heading.name);
   std::string_view behind = trim(value.substr(digits));
   const bool beside = behind.empty();
@@ -109,7 +121,11 @@ std::optional<Statement> read_statement(std::string_view line) {
   made.unit = rate_unit(behind);
   if (!made.unit) made.unit = rate_unit(without_remark(behind));
   if (!made.unit && behind.starts_with('/')) made.unit = rate_unit("1" + std::string(behind));  // "400/s"
-  if (!made.unit && heading.unit) made.unit = rate_unit(*heading.unit);
+  if (heading.unit) {
+    const auto own = rate_unit(*heading.unit);
+    made.clear &= own && (!made.unit || (made.unit->factor == own->factor && made.unit->dimension == own->dimension));
+    if (!made.unit) made.unit = own;
+  }
   for (const std::string_view part : {" in ", "/", "_", " "})  // "Abtastrate in Hz", "rate/Hz"
     if (const std::size_t at = heading.name.rfind(part);
         !made.unit && at != std::string::npos && made.words.find("persecond") == std::string::npos)
@@ -117,40 +133,52 @@ std::optional<Statement> read_statement(std::string_view line) {
   // "12,5 Hz" may be split at its decimal comma
   const bool decimals =
       sign == ',' && beside && value.find('.') == std::string_view::npos && !behind.empty() && is_digit(behind[0]);
-  if (decimals || (!made.unit && !beside && !behind.starts_with('('))) return std::nullopt;
+  made.clear &= !decimals && (made.unit || beside || behind.starts_with('('));
   return made;
 }
 
-std::optional<double> rate_of(const Statement& one) {
-  const bool rate = names_one(one.words, kRateNames) || one.words == "fps" || one.words == "rate",
+struct NamedRate {
+  double value = 0;    // 1/s; 0: it is not taken
+  bool named = false;  // whether the words name a rate or an interval of samples
+};
+NamedRate rate_of(const Statement& one) {
+  const char *const rate_name = name_in(one.words, kRateNames), *const interval_name =
+                                                                    name_in(one.words, kIntervalNames);
+  const bool rate = rate_name || one.words == "fps" || one.words == "rate",
              of_labview = one.words == "deltax" || one.words == "dt" || one.words == "deltat",
-             interval = of_labview || names_one(one.words, kIntervalNames);
-  if (!rate && !interval) return std::nullopt;
+             interval = of_labview || interval_name;
+  if (!rate && !interval) return {};
+  const char* const name = rate_name ? rate_name : interval_name;
+  if (!one.clear || (name && !stands_alone(name, one.heading))) return {0, name != nullptr};
   if (one.unit) {
     const double si = one.value * one.unit->factor;
-    return one.unit->dimension == dimension::time ? 1 / si : si;
+    return {one.unit->dimension == dimension::time ? 1 / si : si, true};
   }
-  if (one.words == "rate" || (!rate && !of_labview)) return std::nullopt;
-  return rate ? one.value : 1 / one.value;
+  if (one.words == "rate" || (!rate && !of_labview)) return {0, name != nullptr};
+  return {rate ? one.value : 1 / one.value, true};
 }
 
 }  // namespace
 
-std::optional<StatedRate> stated_rate(const std::string& path, std::string_view head) {
+std::optional<StatedRate> stated_rate(const std::string& path, std::string_view head, std::string* not_taken) {
+  constexpr std::size_t kShown = 60;
   std::optional<StatedRate> found;
   for (std::size_t number = 1; !head.empty(); ++number) {
     const std::size_t end = std::min(head.find_first_of("\r\n"), head.size());
     const std::string_view line = head.substr(0, end);
     head.remove_prefix(std::min(end + (head.substr(end).starts_with("\r\n") ? 2 : 1), head.size()));
     const auto statement = read_statement(line);
-    const auto rate = statement ? rate_of(*statement) : std::nullopt;
-    if (!rate) continue;
-    if (found && std::abs(*rate - found->rate) > 1e-6 * found->rate)
+    const NamedRate read = statement ? rate_of(*statement) : NamedRate{};
+    const double rate = read.value;
+    if (!(rate > 0) && read.named && not_taken && not_taken->empty())
+      *not_taken = "line " + std::to_string(number) + ", '" + printable(trim(line), kShown) + "'";
+    if (!(rate > 0)) continue;
+    if (found && std::abs(rate - found->rate) > 1e-6 * found->rate)
       throw InputError(path, number, 1,
-                       "states a rate of " + rounded(*rate, 6) + " Hz, line " + std::to_string(found->line) +
+                       "states a rate of " + rounded(rate, 6) + " Hz, line " + std::to_string(found->line) +
                            " one of " + rounded(found->rate, 6) + " Hz; say which is that of the rows: " +
                            Remedy::set_or_key("rate", rounded(found->rate, 6) + " Hz"));
-    if (!found) found = StatedRate{*rate, number};
+    if (!found) found = StatedRate{rate, number};
   }
   return found;
 }

@@ -11,23 +11,21 @@ struct BinaryForm {
   std::string_view begins, is;  // its first bytes; what the file is, and what to do
 };
 
+constexpr std::string_view kMat =
+    "is a .mat file of MATLAB; in Python mixity.read(\"FILE.mat\") reads it, or export its variables as text: "
+    "writetable(table(P,T,A),\"FILE.csv\")";
+
 constexpr BinaryForm kForms[] = {
     {"TDSm"sv,
-     "is a TDMS file of LabVIEW; export it as text: open it in Excel (TDMS add-in) and save as CSV, or in Python "
-     "nptdms.TdmsFile.read(\"FILE.tdms\").as_dataframe(time_index=True).to_csv(\"FILE.csv\")"},
-    {"TDSh"sv, "is the index of a TDMS file; export the .tdms file beside it as CSV"},
-    {"MATLAB 5.0 MAT-file"sv,
-     "is a .mat file of MATLAB; export its variables as text there: writetable(table(P,T,A),\"FILE.csv\"), or hand "
-     "them "
-     "to the Python package as arrays"},
-    {"MATLAB 7.3 MAT-file"sv,
-     "is a .mat file of MATLAB; export its variables as text there: writetable(table(P,T,A),\"FILE.csv\"), or hand "
-     "them "
-     "to the Python package as arrays"},
+     "is a TDMS file of LabVIEW; in Python mixity.read(\"FILE.tdms\") reads it, or export it as text: open it in Excel "
+     "(TDMS add-in) and save as CSV"},
+    {"TDSh"sv, "is the index of a TDMS file; read the .tdms file beside it"},
+    {"MATLAB 5.0 MAT-file"sv, kMat},
+    {"MATLAB 7.3 MAT-file"sv, kMat},
     {"\x89HDF\r\n\x1A\n"sv,
-     "is an HDF5 file; export its data sets as CSV, such as by h5dump -y -w 0 -d DATASET -o FILE.csv, or hand them to "
-     "the "
-     "Python package as arrays"},
+     "is an HDF5 file; in Python mixity.read(\"FILE.h5\") reads it, or export its data sets as CSV, such as by h5dump "
+     "-y "
+     "-w 0 -d DATASET -o FILE.csv"},
     {"CDF\x01"sv, "is a NetCDF file; export its variables as CSV, or hand them to the Python package as arrays"},
     {"CDF\x02"sv, "is a NetCDF file; export its variables as CSV, or hand them to the Python package as arrays"},
     {"\x93NUMPY"sv, "is an array of NumPy; save it as text, numpy.savetxt, or hand it to the Python package"},

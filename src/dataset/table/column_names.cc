@@ -306,6 +306,24 @@ std::string mapping_with(const std::string& unit, ColumnId id, const std::vector
   return name_of(id) + "=" + column_in_mapping(headings, index, false) + " (" + unit + ")";
 }
 
+std::string mapped_as(const NamedColumn& column, const std::vector<Heading>& headings) {
+  const std::string& text = headings[column.index].text;
+  std::optional<std::string> unit = column.heading.unit;
+  // one with brackets, such as Origin's "mm\\+(2)", is left to the file
+  if (unit && unit->find_first_of("()[]") != std::string::npos) unit.reset();
+  const std::string behind = unit ? " (" + *unit + ")" : "";
+  const std::string by_heading = unit && split_heading(text, {}).unit == unit ? text : text + behind;
+  // a comma with an equals sign behind it may begin another entry
+  const bool plain = printable(text, std::string::npos) == text && text.find('=') == std::string::npos;
+  std::optional<std::size_t> found;
+  try {
+    if (plain) found = find_mapped({}, headings, column.id, by_heading);
+  } catch (const InputError&) {  // of two columns with this heading
+  }
+  const bool has_unit = !unit || split_heading(by_heading, {}).unit == unit;
+  return found == column.index && has_unit ? by_heading : std::to_string(column.index + 1) + behind;
+}
+
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
                                       const ColumnRules& rules) {
   Names names(path, headings, rules);

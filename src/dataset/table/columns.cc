@@ -121,6 +121,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
     by_id[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
     used[column.index] = true;
+    mapped.emplace(kind.name, mapped_as(column, headings));
     needed = std::max(needed, column.index + 1);
     count = std::max(count, column.index + 1);
     if (column.heading.name != kind.name)

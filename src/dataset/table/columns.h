@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,6 +52,7 @@ struct Columns {
   std::vector<std::string> ignored;  // names of columns that are not read
   /// Ignored columns with known names, except times, and why they are ignored.
   std::vector<std::pair<std::string, std::string>> unused;
+  std::map<std::string, std::string> mapped;  // each quantity that is read, to its column in another such table
   std::vector<std::string> taken;  // headings that differ from the program's own names: "P from 'Normalkraft (mN)'"
   /// Columns whose names differ from those of P, T and A only in a number: runs beside the one that is read. Empty if
   /// none.

@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/text.h"
 #include "dataset/table/binary_file.h"
 
 namespace mixity {
@@ -116,6 +117,13 @@ std::string_view CsvFile::rest_from(std::size_t offset) {
   return std::string_view(text_).substr(offset);
 }
 
+std::vector<Message> CsvFile::notes() const {
+  constexpr std::size_t kShown = 40;
+  if (sheet_) return sheet_->notes;
+  if (choice_.sheet.empty()) return {};
+  return {"the sheet that is stated, '" + printable(choice_.sheet, kShown) + "', is not used: the file is no workbook"};
+}
+
 double CsvFile::progress() const {
   if (sheet_) return text_.empty() ? 1 : static_cast<double>(at_) / static_cast<double>(text_.size());
   if (!stream_.size()) return 1;
@@ -130,7 +138,9 @@ void read_csv(const std::string& path, Inputs& inputs, const UseRow& use, const 
 
 std::string read_text(const std::string& path, const SheetChoice& choice) {
   const std::string bytes = read_file(path);
-  return is_workbook(bytes) ? read_workbook(path, bytes, choice).text : to_utf8(bytes);
+  if (is_workbook(bytes)) return read_workbook(path, bytes, choice).text;
+  if (!choice.sheet.empty()) throw InputError(Remedy::given("sheet"), path + " is no workbook");
+  return to_utf8(bytes);
 }
 
 void read_csv_text(std::string_view text, const std::string& name, bool comments, const UseRow& use) {

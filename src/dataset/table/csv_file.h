@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/inputs.h"
 #include "dataset/table/csv.h"
@@ -40,6 +41,8 @@ class CsvFile {
   char line_end() const { return format_.line_end; }
   /// The sheet of a workbook, without its text; null for other files.
   const std::optional<Sheet>& sheet() const { return sheet_; }
+  /// On how the sheet was chosen and read, or on a sheet that is stated for another file.
+  std::vector<Message> notes() const;
   /// Whether the whole file has been read, so that start() is all of it.
   bool at_end() const { return stream_.at_end(); }
   /// The fraction of the file whose rows have been read; 1 if its size is unknown (a pipe).

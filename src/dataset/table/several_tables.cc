@@ -60,6 +60,8 @@ struct TablePart {
   std::size_t last_line = 0;
   std::string title;
   bool has_headings;
+  std::vector<std::size_t> rows_above{};
+  bool has_rows_as_before = false;
 };
 
 /// The line that may be the headings of a row; null if there is none.
@@ -80,9 +82,9 @@ class TableParts {
   void take(const CsvRow& row, std::size_t offset) {
     const bool may_be_data = is_row_of_numbers(row) && !(rows_ ? is_title(row, *rows_) : begins_with_words(row));
     if (const HeadLine* const headings = may_be_data ? headings_above(above_, row) : nullptr)
-      begin(*headings, true);
+      begin(*headings, true, row);
     else if (may_be_data && rows_ && !above_.empty() && repeats_title(above_.back()))
-      begin(above_.back(), false);
+      begin(above_.back(), false, row);
     if (!may_be_data || !rows_) {
       if (above_.size() == kHead) above_.erase(above_.begin());
       above_.push_back({row, offset});
@@ -107,14 +109,23 @@ class TableParts {
     return !title_.empty() && title != title_ && has_a_digit(title) && title_letters(title) == title_letters(title_);
   }
 
-  void begin(const HeadLine& headings, bool has_headings) {
+  /// Whether a line of the head has as many fields as the rows before, and a number: a row with a fault, or a summary.
+  bool is_like_a_row(const HeadLine& line) const {
+    return rows_ && line.row.size() == rows_->fields && has_a_number(line.row) &&
+           count_filled(line.row) >= rows_->numbers && !repeats_title(line);
+  }
+
+  void begin(const HeadLine& headings, bool has_headings, const CsvRow& first_row) {
     std::string title;
+    std::vector<std::size_t> rows_above;
+    for (const HeadLine& line : above_)
+      if (is_like_a_row(line)) rows_above.push_back(line.row.line());
     for (const HeadLine& line : above_) {
       if (has_headings && line.row.line() >= headings.row.line()) break;
       if (!is_row_of_units(line.row, {})) title = title_of(line.row);
     }
-    parts_.push_back(
-        {above_.front().offset, above_.front().row.line(), headings.row.line(), 0, 0, 0, title, has_headings});
+    parts_.push_back({above_.front().offset, above_.front().row.line(), headings.row.line(), 0, 0, 0, title,
+                      has_headings, std::move(rows_above), rows_ && rows_->fields == first_row.size()});
     title_ = title;
     rows_ = RowForm{};
   }
@@ -125,9 +136,26 @@ class TableParts {
   std::string title_;
 };
 
+/// Whether half of the headings, or two, have a known name or a unit.
+bool are_known(const std::vector<Heading>& headings, const ColumnRules& rules) {
+  const Vocabulary& vocabulary = rules.names ? *rules.names : Vocabulary::shipped();
+  std::size_t filled = 0, known = 0;
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const Heading& heading = headings[i];
+    filled += !heading.text.empty();
+    const bool mapped = std::any_of(rules.mapping.begin(), rules.mapping.end(), [&](const auto& one) {
+      return folded(split_heading(one.second, {}).name) == folded(heading.name);
+    });
+    known += !heading.text.empty() && (mapped || column_named(heading.name) || vocabulary.find(heading.name) ||
+                                       vocabulary.read(heading, i) || (heading.unit && parse_unit(*heading.unit)));
+  }
+  return known >= 2 || 2 * known >= filled;
+}
+
 }  // namespace
 
-RowForm::RowForm(const CsvRow& row) : begins_with_words(mixity::begins_with_words(row)), numbers(count_numbers(row)) {}
+RowForm::RowForm(const CsvRow& row)
+    : begins_with_words(mixity::begins_with_words(row)), numbers(count_numbers(row)), fields(row.size()) {}
 
 bool is_title(const CsvRow& line, const RowForm& rows) {
   const RowForm form(line);
@@ -147,7 +175,7 @@ std::vector<ListedTable> list_tables(std::string_view text, std::size_t first_li
   std::vector<ListedTable> tables;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const TablePart& part = found[k];
-    ListedTable listed{{}, part.title, part.line, part.headings, part.last_line};
+    ListedTable listed{{}, part.title, part.line, part.headings, part.last_line, part.rows_above};
     if (part.has_headings) {
       const std::size_t end = k + 1 < found.size() ? found[k + 1].offset : text.size();
       std::optional<Table> table;
@@ -163,6 +191,8 @@ std::vector<ListedTable> list_tables(std::string_view text, std::size_t first_li
         if (*line > 0) *line += before;
       for (std::size_t& line : table->passed_over) line += before;
       if (table->header_line > 0) listed.first_line = table->header_line;
+      listed.may_be_a_remark =
+          part.has_rows_as_before && table->units_line == 0 && !are_known(table->headings, rules.columns);
       listed.table = std::move(*table);
     } else {
       listed.table.format = rules.format;

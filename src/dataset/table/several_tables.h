@@ -17,12 +17,15 @@ struct ListedTable {
   std::size_t head_line = 0;   // of the first line of words above the headings, which is not part of a table before
   std::size_t first_line = 0;  // of the headings
   std::size_t last_line = 0;   // of the last row
+  std::vector<std::size_t> rows_above{};  // lines of the head that look like rows of the table before
+  /// Whether its headings may be a remark: they name nothing that is known, have no units, and rows as before follow.
+  bool may_be_a_remark = false;
 };
 
 /// What the rows of a table look like, by its first.
 struct RowForm {
   bool begins_with_words = false;  // in the first field that is filled
-  std::size_t numbers = 0;
+  std::size_t numbers = 0, fields = 0;
   RowForm() = default;
   explicit RowForm(const CsvRow& row);
 };

@@ -87,21 +87,34 @@ struct Cell {
   bool is_number = false;
 };
 
+/// The name of a column, from 0: "A", "AB".
+std::string letters(std::size_t column) {
+  std::string name;
+  for (++column; column > 0; column = (column - 1) / 26)
+    name.insert(name.begin(), static_cast<char>('A' + (column - 1) % 26));
+  return name;
+}
+
 class RowsReader {
  public:
   RowsReader(const Workbook& book, const Workbook::Sheet& sheet, char decimal, const SheetTraits& given)
       : book_(book), sheet_(sheet), stated_(decimal), given_(given), values_(given.merged.size()) {}
 
   SheetRows read(std::size_t bytes) {
-    for_each_element(book_.archive, sheet_.part, {"row", "mergeCell"}, [&](pugi::xml_node element) {
-      if (local_name(element.name()) == "row")
+    for_each_element(book_.archive, sheet_.part, {"col", "row", "mergeCell"}, [&](pugi::xml_node element) {
+      const std::string_view name = local_name(element.name());
+      if (name == "row")
         row(element);
+      else if (name == "col")
+        columns(element);
       else
         merged(element.attribute("ref").value());
       if (made_.text.size() > Archive::kMostUnpacked)
         throw InputError(book_.archive.path(), "holds more than 2 GB of text; save the columns that matter as CSV");
       return made_.text.size() < bytes;
     });
+    for (const std::size_t column : numbers_)
+      if (is_hidden(column)) made_.hidden_columns += (made_.hidden_columns.empty() ? "" : ", ") + letters(column);
     SheetTraits& traits = made_.traits;
     std::set_intersection(with_date_.begin(), with_date_.end(), without_date_.begin(), without_date_.end(),
                           std::inserter(traits.dated, traits.dated.end()));
@@ -112,6 +125,15 @@ class RowsReader {
   }
 
  private:
+  void columns(pugi::xml_node element) {
+    if (element.attribute("hidden").as_bool())
+      hidden_.emplace_back(element.attribute("min").as_uint(), element.attribute("max").as_uint());
+  }
+  bool is_hidden(std::size_t column) const {
+    return std::any_of(hidden_.begin(), hidden_.end(),
+                       [&](const auto& range) { return column + 1 >= range.first && column + 1 <= range.second; });
+  }
+
   void row(pugi::xml_node element) {
     const std::size_t number = element.attribute("r").as_uint(static_cast<unsigned>(row_ + 1));
     if (number <= row_ || number > kMostRows) damaged("row " + std::to_string(number));
@@ -132,6 +154,8 @@ class RowsReader {
     }
     while (!cells_.empty() && cells_.back().text.empty()) cells_.pop_back();
     const bool numbers = std::any_of(cells_.begin(), cells_.end(), [](const Cell& one) { return one.is_number; });
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+      if (cells_[i].is_number) numbers_.insert(i);
     fill_merged(numbers);
     if (numbers && element.attribute("hidden").as_bool()) ++made_.hidden;
     if (cells_.size() > width_) {
@@ -237,6 +261,8 @@ class RowsReader {
   std::size_t row_ = 0, width_ = 0;
   bool uneven_ = false, after_numbers_ = false;
   bool is_comment_ = false, commas_ = false, points_ = false;
+  std::set<std::size_t> numbers_;                                // columns that have some
+  std::vector<std::pair<std::size_t, std::size_t>> hidden_;      // first and last column, from 1
   std::set<std::size_t> with_date_, without_date_, in_percent_;  // columns
 };
 

@@ -28,8 +28,9 @@ struct SheetTraits {
 
 struct SheetRows {
   std::string text;
-  SheetTraits traits;      // of the rows that were read
-  std::size_t hidden = 0;  // rows with numbers
+  SheetTraits traits;            // of the rows that were read
+  std::size_t hidden = 0;        // rows with numbers
+  std::string hidden_columns{};  // with numbers: "C, D"
 };
 
 /// Reads at least this many bytes of the text, or all of it, taking the traits as given. `decimal`: as in SheetChoice.

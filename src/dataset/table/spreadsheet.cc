@@ -81,6 +81,8 @@ Sheet read_workbook(const std::string& path, std::string_view bytes, const Sheet
   if (rows.hidden > 0)
     made.notes.push_back("sheet '" + sheet.name + "' has " + std::to_string(rows.hidden) + " hidden row" +
                          (rows.hidden == 1 ? "" : "s") + ", read like the others");
+  if (const std::string& columns = rows.hidden_columns; !columns.empty())
+    made.notes.push_back("sheet '" + sheet.name + "' has numbers in hidden columns, read like the others: " + columns);
   made.text = std::move(rows.text);
   return made;
 }

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kListed = std::size_t{1} << 16;  // bytes at the start of the file
 constexpr std::string_view kSummaryRow = "summary row (text where the rows above have numbers)",
-                           kWordsBelow = "words below the table";
+                           kWordsBelow = "words below the table",
+                           kWordsInRow = "words where the rows above have numbers";
 
 /// The number of the kind of table; as many as there are if it is none of them.
 std::size_t index_of_kind(const std::vector<ListedTable>& kinds, const Table& table) {
@@ -65,6 +66,7 @@ void TableRows::choose(std::string_view start) {
                                   (kinds_.empty() ? "only one" : list_of_kinds(kinds_)));
     return take(kinds_[*rules_.wanted - 1]);
   }
+  refuse_remarks(found);
   const std::size_t own = index_of_kind(kinds_, *table_);
   const bool told = own < kinds_.size();
   if (!told) kinds_.insert(kinds_.begin(), {*table_, {}, 0, table_->header_line, table_->line});
@@ -98,12 +100,28 @@ void TableRows::require_one_kind(const std::vector<ListedTable>& found) {
                          ", or " + Remedy::set("table", std::to_string(usable[1] + 1)));
 }
 
+/// Refuses words between the rows of the table that is read, which would end it there.
+void TableRows::refuse_remarks(const std::vector<ListedTable>& found) const {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const ListedTable& one = found[k];
+    const bool ends_ours = k > 0 ? same_headings(found[k - 1].table, *table_) : listed_;
+    if (one.may_be_a_remark && ends_ours && !same_headings(one.table, *table_))
+      throw InputError(path_, one.first_line, 1,
+                       "the words '" + headings_text(one.table) +
+                           "' stand between rows of one form: if they are a remark, put '#' before them; if they are "
+                           "the headings of another table, " +
+                           Remedy::set("table", std::to_string(index_of_kind(kinds_, *table_) + 1)) +
+                           " reads the one above");
+  }
+}
+
 /// Lists the tables from this row on, which is to be read again.
 void TableRows::list_rest(const CsvRow& row) {
   listed_ = true;
   const std::size_t line = row.line(), offset = file_.offset_of(row);
   const std::string_view rest = file_.rest_from(offset);
   rest_ = list_tables(rest, line, {path_, table_->format, rules_.columns, table_->format.decimal, form_, title_});
+  if (!rules_.wanted) refuse_remarks(rest_);
   require_one_kind(rest_);
   file_.begin_at(offset, line, table_->format);
 }
@@ -155,7 +173,15 @@ bool TableRows::use_listed(const CsvRow& row, UseOfRows& use) {
   }
   const ListedTable& listed = rest_[next_];
   if (row.line() < listed.head_line) return false;
-  if (row.line() < listed.table.line) return true;
+  if (row.line() < listed.table.line) {
+    const bool is_row = std::count(listed.rows_above.begin(), listed.rows_above.end(), row.line()) > 0 &&
+                        (next_ == 0 || same_headings(rest_[next_ - 1].table, *table_));
+    if (is_row && begins_with_words(row))
+      use.left_out(row.line(), kWordsInRow);
+    else if (is_row)
+      use.row(row);
+    return true;
+  }
   const bool ours = same_headings(listed.table, *table_), begins = begun_ != next_ + 1;
   begun_ = next_ + 1;
   if (begins && ours) {

@@ -61,6 +61,7 @@ class TableRows {
   void take(const ListedTable& chosen);
   void list_rest(const CsvRow& row);
   void require_one_kind(const std::vector<ListedTable>& found);
+  void refuse_remarks(const std::vector<ListedTable>& found) const;
   bool use_listed(const CsvRow& row, UseOfRows& use);
 
   std::string path_;

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping
 import numpy as np
 
 from . import _core
+from ._binary import tables
 from ._log import WARNING, listening
 from ._units import carries_units, constant_text, plain_array, si_unit
 
@@ -50,7 +51,7 @@ class Dataset:
     **constants
         ``radius``, ``modulus`` (plane strain) or ``youngs_modulus`` and ``poisson_ratio``, ``toughness``, and the
         others of the program's TOML: texts with units and errors, floats in SI, pairs (value, standard error), or pint
-        quantities.
+        quantities. ``definition``, a TOML as :func:`check` saves it, has those that are not given.
 
     Raises
     ------
@@ -78,7 +79,7 @@ class Dataset:
         columns = [_column(column, values, units) for column, values in there.items()]
         if runs is not None:
             columns.append(("curve", ["" if run is None or run != run else str(run) for run in runs]))
-        stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
+        stated = stated_constants(given)
         self._core = _core.from_arrays(name, columns, stated)
         self._source = ("arrays", (name, columns, stated))
         self._tell_notes()
@@ -126,7 +127,8 @@ class Dataset:
 
     @property
     def inputs(self) -> list[tuple[str, int, str]]:
-        """[(path, bytes, xxh128)] of the files that were read, hashed as by ``xxh128sum``. Empty for arrays."""
+        """[(path, bytes, xxh128)] of the files that were read, hashed as by ``xxh128sum``; of .mat, HDF5 and .tdms those of
+        the table that was made of it. Empty for arrays."""
         return self._core.inputs
 
     @property
@@ -194,8 +196,21 @@ def files_and_constants(path, constants):
             continue
         if key == "columns" and isinstance(value, dict):
             value = ",".join(f"{column}={heading}" for column, heading in value.items())
-        stated.append((key, constant_text(key, value)))
+        stated.append((key, constant_text(key, os.fspath(value) if isinstance(value, os.PathLike) else value)))
     return files, stated
+
+
+def stated_constants(given):
+    """Constants of arrays as texts, with those of a definition, which are read at once."""
+    definition = given.pop("definition", None)
+    stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
+    if definition is None:
+        return stated
+    names = set(dict(stated))
+    for one, instead in (("modulus", {"youngs_modulus", "poisson_ratio"}), ("youngs_modulus", {"modulus"}), ("poisson_ratio", {"modulus"})):
+        if one in dict(stated):
+            names |= instead
+    return [one for one in _core.constants_of_definition(os.fspath(definition)) if one[0] not in names] + stated
 
 
 def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> Dataset:
@@ -205,11 +220,15 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
     ----------
     path : str, path, or list of them
         A CSV, an Excel workbook (.xlsx) or another export of a table; a pattern such as ``"run_*.csv"``, or several files, are one data set.
+        Also arrays of .mat (needs SciPy, of version 7.3 h5py), HDF5 (h5py) and .tdms (npTDMS): of names that are known,
+        such as P, T, A, or ``columns={"P": "group/channel (mN)", ...}``. Their units are the attributes ``units`` or
+        ``unit``, in .tdms ``unit_string`` or ``NI_UnitDescription``.
     **constants
         Replace those in the TOML: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``sheet``, ``table``,
-        ``rate``, ``fps``, ``pixel``, ``load``, ``load_from``, ``headings``).
+        ``rate``, ``fps``, ``pixel``, ``load``, ``load_from``, ``headings``). ``definition`` is a TOML of such
+        constants, as :func:`check` saves it, for all that is stated nowhere else.
     """
     files, stated = files_and_constants(path, constants)
-    data = _again("file", (files, stated))
+    data = Dataset._of(_core.read(files, stated, None, tables(files, stated)), ("file", (files, stated)))
     data._tell_notes()
     return data

@@ -6,25 +6,39 @@ import os
 from typing import Any, Callable, Iterable, Sequence
 
 from . import _core
+from ._binary import tables
 from ._data import Dataset, files_and_constants
 from ._fits import Fits
 from ._log import WARNING, listening
 
 
-def check(data: Dataset | str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> str:
+def check(
+    data: Dataset | str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    *,
+    save: str | os.PathLike[str] | None = None,
+    force: bool = False,
+    **constants: Any,
+) -> str:
     """How data are read, and their oddities: the text of ``mixity check``.
 
     Parameters
     ----------
     data : Dataset, path, or list of paths
+    save : path, optional
+        A TOML to be written: columns, rate, table and constants as they were understood, for other files of this kind
+        (``read(..., definition=save)``). Constants that are missing do not matter.
+    force : bool
+        Also replace a file that mixity did not write, or that was edited since.
     **constants
         As for :func:`read`. Missing constants are named at the end of the text.
     """
+    where = None if save is None else os.fspath(save)
     if isinstance(data, Dataset):
         if constants:
             raise _core.InputError(f"{next(iter(constants))}: the constants of a Dataset are stated where it is made")
-        return _core.checked_data(data._core)
-    return _core.checked_files(*files_and_constants(data, constants))
+        return _core.checked_data(data._core, where, force)
+    files, stated = files_and_constants(data, constants)
+    return _core.checked_files(files, stated, where, force, tables(files, stated))
 
 
 def report(

@@ -8,6 +8,7 @@ import os
 from typing import Any, Sequence
 
 from . import _core
+from ._binary import tables
 from ._data import Dataset, files_and_constants
 from ._reports import warn
 
@@ -52,6 +53,11 @@ class Runs:
         ``force`` as for :func:`report`."""
         asked = formats if isinstance(formats, str) else ",".join(formats)
         warn(self._log.save(os.fspath(folder), asked, force, self._paths))
+
+    def save_definition(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Writes a TOML of the columns, rate and constants as they were understood, for other logs of this kind
+        (``runs(..., definition=path)``). ``force`` as for :func:`report`."""
+        self._log.save_definition(os.fspath(path), force, self._paths)
 
     def __len__(self) -> int:
         return len(self._log.runs())
@@ -109,4 +115,5 @@ def runs(
     """
     paths = [os.fspath(one) for one in (*logs, areas) if one is not None]
     _, stated = files_and_constants([], constants)
-    return Runs(_core.runs(paths, stated, lag, zero_drift, "" if cuts is None else os.fspath(cuts)), paths)
+    where = "" if cuts is None else os.fspath(cuts)
+    return Runs(_core.runs(paths, stated, lag, zero_drift, where, tables(paths, stated)), paths)

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 from . import _core, plots
 from ._arrays import numbers
-from ._data import Dataset
+from ._data import Dataset, stated_constants
 from ._law import Law, define, definitions, key_of, model_keys
-from ._units import constant_text, error_text, load_list, load_number, whole_number
+from ._units import error_text, load_list, load_number, whole_number
 
 if TYPE_CHECKING:
     Models = str | Law | Sequence[str | Law]
@@ -61,7 +61,7 @@ class Plan:
     ) -> None:
         key = key_of(model)
         parameters = numbers(lam)
-        stated = [(name, constant_text(name, value)) for name, value in constants.items()]
+        stated = stated_constants(constants)
         sigma_T, sigma_A = error_text("sigma_T", sigma_T), error_text("sigma_A", sigma_A)
         points = whole_number("points", points, 1)
         self._given = (key, parameters, stated, load_list("loads", loads), points, float(reach), sigma_T, sigma_A)

@@ -326,5 +326,44 @@ TEST(Recordings, OfAClockThatTellsNoTimesAreRefused) {
             "log.csv:5:1: column 'time': the row has no time; leave it out, or " + own);
 }
 
+TEST(Recordings, SayThatAStatedRateIsNotUsedBesideTimes) {
+  const TemporaryFolder folder;
+  const std::string rows = "0,1,2,0.3\n0.1,1,2,0.3\n0.2,1,2,0.3\n0.3,1,2,0.3\n",
+                    path = folder.write("log.csv", "time [s],P [mN],T [mN],A [mm^2]\n" + rows),
+                    areas = folder.write("areas.csv", "time [s],A [mm^2]\n0,0.3\n1,0.3\n2,0.3\n");
+  const auto with = [](const char* name, const char* text) {
+    Metadata metadata;
+    EXPECT_EQ(set_field(metadata, name, text), "");
+    return metadata;
+  };
+  for (const char* rate : {"10 Hz", "10.05 Hz", "0.1 s"})
+    EXPECT_NE(read_recordings(path, with("rate", rate))
+                  .front()
+                  .reading.find("the rate that is stated is not used: column 'time [s]' has 10 rows a second"),
+              std::string::npos)
+        << rate;
+  EXPECT_NE(read_recordings(path, with("fps", "25")).front().reading.find("the fps that is stated is not used"),
+            std::string::npos);
+  EXPECT_EQ(folder.left_out_of(input_error([&] { read_recordings(path, with("rate", "400 Hz")); })),
+            "log.csv:1:1: column 'time [s]' has 10 rows a second, and the rate that is stated is 400 Hz: leave out the "
+            "one that is wrong");
+  // the rate beside two files is that of the forces
+  EXPECT_EQ(read_recordings(areas, with("rate", "10 Hz")).front().reading.find("not used"), std::string::npos);
+  EXPECT_NE(error_of("Max. sampling rate: 10 kHz\nP [mN],T [mN],A [mm^2]\n1,2,0.3\n1,2,0.3\n1,2,0.3\n")
+                .find("; line 1, 'Max. sampling rate: 10 kHz', is not taken for it"),
+            std::string::npos);
+}
+
+TEST(Recordings, NameTheLinesThatAreLeftOut) {
+  const std::string header = "time [s],P [mN],T [mN],A [mm^2]\n", rows = "0,1,2,0.3\n1,1,2,0.3\n2,1,2,0.3\n",
+                    more = "3,1,2,0.3\n4,1,2,0.3\n5,1,2,0.3\n";
+  const Recording log = read(header + rows + "Mean,1,2,0.3\n" + header + more + "end of test\n");
+  EXPECT_EQ(log.time.size(), 6u);
+  EXPECT_NE(log.reading.find("line 5 left out: words where the rows above have numbers"), std::string::npos)
+      << log.reading;
+  EXPECT_NE(error_of(header + rows + "hold,start,now,then\n" + more).find("log.csv:5:1: the words 'hold"),
+            std::string::npos);
+}
+
 }  // namespace recording_test
 }  // namespace mixity

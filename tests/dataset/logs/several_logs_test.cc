@@ -150,6 +150,15 @@ TEST(SeveralLogs, KeepTheirNamesIfOneRunIsLeftOut) {
   EXPECT_EQ(names(reduce_logs({log, other}, {}, {.cuts_path = cuts})), expected);
 }
 
+TEST(SeveralLogs, RefuseToLeaveOutARunThatIsNotThere) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("1.csv", kHeadings + rows_text(shipped_rows(), {0, 1, 2, 3})),
+                    cuts = folder.write("cuts.toml", "[[cuts]]\nrun = \"P=1 N\"\nleave_out = true\n");
+  EXPECT_EQ(
+      folder.left_out_of(input_error([&] { reduce_logs({log}, {}, {.cuts_path = cuts}); })),
+      "cuts.toml: leaves out a run 'P=1 N', which the log does not have (it has P=7.73 mN, P=2.92 mN, P=0.942 mN)");
+}
+
 /// A stated load has no zero to be read out of contact.
 TEST(SeveralLogs, HaveTheLoadsThatAreStated) {
   const TemporaryFolder folder;

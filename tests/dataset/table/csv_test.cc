@@ -149,26 +149,27 @@ TEST(Csv, ACarriageReturnEndsARowWhateverFollowsIt) {
 }
 
 TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
-  for (const auto& [text, error] : {
-           std::pair<std::string_view, std::string_view>{
-               "a,b\n1,x\"2\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
-           {"a,b\n\"1\"2,3\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
-           {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
-           {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
-           {"PK\x03\x04",
-            ": is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again"},
-           {"TDSm\x0E",
-            ": is a TDMS file of LabVIEW; export it as text: open it in Excel (TDMS add-in) and save as CSV, or in "
-            "Python "
-            "nptdms.TdmsFile.read(\"FILE.tdms\").as_dataframe(time_index=True).to_csv(\"FILE.csv\")"},
-           {"MATLAB 5.0 MAT-file, Platform: GLNXA64",
-            ": is a .mat file of MATLAB; export its variables as text there: writetable(table(P,T,A),\"FILE.csv\"), or "
-            "hand them to the Python package as arrays"},
-           {"\x89HDF\r\n\x1A\n",
-            ": is an HDF5 file; export its data sets as CSV, such as by h5dump -y -w 0 -d DATASET -o FILE.csv, or hand "
-            "them to the Python package as arrays"},
-           {"\x1F\x8B\x08", ": is compressed; unpack it with gunzip"},
-       })
+  for (
+      const auto& [text, error] : {
+          std::pair<std::string_view, std::string_view>{
+              "a,b\n1,x\"2\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
+          {"a,b\n\"1\"2,3\n", ":2:1: a quote (\") inside a field is not doubled or not closed"},
+          {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
+          {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
+          {"PK\x03\x04",
+           ": is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again"},
+          {"TDSm\x0E",
+           ": is a TDMS file of LabVIEW; in Python mixity.read(\"FILE.tdms\") reads it, or export it as text: open it "
+           "in "
+           "Excel (TDMS add-in) and save as CSV"},
+          {"MATLAB 5.0 MAT-file, Platform: GLNXA64",
+           ": is a .mat file of MATLAB; in Python mixity.read(\"FILE.mat\") reads it, or export its variables as text: "
+           "writetable(table(P,T,A),\"FILE.csv\")"},
+          {"\x89HDF\r\n\x1A\n",
+           ": is an HDF5 file; in Python mixity.read(\"FILE.h5\") reads it, or export its data sets as CSV, such as by "
+           "h5dump -y -w 0 -d DATASET -o FILE.csv"},
+          {"\x1F\x8B\x08", ": is compressed; unpack it with gunzip"},
+      })
     EXPECT_EQ(error_of(text), "a.csv" + std::string(error)) << text;
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/number_text.h"
 #include "dataset/dataset.h"
+#include "dataset/definition.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -71,6 +72,30 @@ inline Overrides with(Overrides more) {
   return more;
 }
 
+/// The definition that is saved of a file reads the file to the same bits without any option but a load.
+inline void expect_to_be_read_alike(const Dataset& data, const TemporaryFolder& folder, const std::string& name,
+                                    const std::string& text) {
+  const std::string path = folder.path("definition.toml"), definition = definition_text({understood(data)}, path);
+  folder.write("definition.toml", definition);
+  Overrides options{{"definition", path}};
+  if (const auto load = stated_text(data.metadata, "load")) options.emplace_back("load", *load);
+  Dataset again;
+  try {
+    again = load_dataset(folder.path(name), options);
+  } catch (const InputError& error) {
+    FAIL() << error.what() << "\n" << definition << text;
+  }
+  ASSERT_EQ(again.points.size(), data.points.size()) << definition << text;
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const Point &one = data.points[i], &other = again.points[i];
+    EXPECT_TRUE(one.P == other.P && one.T == other.T && one.A == other.A && one.curve == other.curve)
+        << definition << text;
+  }
+  EXPECT_EQ(again.curves, data.curves) << definition;
+  EXPECT_EQ(again.ignored_columns, data.ignored_columns) << definition;
+  EXPECT_EQ(again.mapping, data.mapping) << definition;
+}
+
 /// 1e-12 is what conversions of units and the square of a radius may round away.
 inline void expect_the_experiment(const std::string& text, const Overrides& more = {},
                                   const std::string& name = "a.csv") {
@@ -92,6 +117,7 @@ inline void expect_the_experiment(const std::string& text, const Overrides& more
     near(data.points[i].T * data.contact->force_unit(), 1e-3 * rows[i][1]);
     near(data.points[i].A * data.contact->area_unit(), 1e-6 * rows[i][2]);
   }
+  expect_to_be_read_alike(data, folder, name, text);
 }
 
 }  // namespace exports

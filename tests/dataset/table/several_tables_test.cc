@@ -147,5 +147,53 @@ TEST(SeveralTables, OfAnyLengthAreRead) {
   EXPECT_TRUE(data.excluded.empty());
 }
 
+/// The error about a table of eight rows with this text after the fifth; empty if it is read.
+std::string error_with(const std::string& between, const std::string& toml = "") {
+  const std::string rows = "0.008,0.00,0.460\n0.008,0.02,0.452\n0.008,0.04,0.441\n";
+  return load_error(kHeadings + rows + between + rows, kConstants + toml);
+}
+
+TEST(SeveralTables, DoNotBeginAtARemarkBetweenRows) {
+  for (const std::string remark : {"hold,start,now", "hold,start", "begin,of,the sliding"}) {
+    const std::string error = error_with(remark + "\n");
+    EXPECT_NE(error.find(":5:1: the words '"), std::string::npos) << error;
+    EXPECT_NE(error.find("if they are a remark, put '#' before them"), std::string::npos) << error;
+    EXPECT_EQ(load(kHeadings + kOne + "#" + remark + "\n" + kTwo).points.size(), 6u) << remark;
+  }
+  // the other reading
+  const Dataset first = load(kHeadings + kOne + "hold,start,now\n" + kTwo, "table = \"1\"\n");
+  EXPECT_EQ(first.points.size(), 3u);
+  EXPECT_NE(notes_of(first).find("the table in line 5 is not read: hold, start, now"), std::string::npos);
+  // a second remark, behind a table with the same headings
+  EXPECT_NE(load_error(kHeadings + kOne + kHeadings + kTwo + "hold,start,now\n" + kTwo, kConstants)
+                .find(":9:1: the words 'hold, start, now' stand between rows of one form"),
+            std::string::npos);
+  // known names, units, and rows of another form make another table
+  for (const std::string other : {"Time,Displacement,Normal Force\n1,2,3\n", "u,v,w\ns,mm,N\n1,2,3\n",
+                                  "u [s],v [mm],w\n1,2,3\n", "left,right\n1,2\n3,4\n"})
+    EXPECT_NE(notes_of(load(kHeadings + kOne + other)).find("the table in line 5 is not read"), std::string::npos)
+        << other;
+}
+
+TEST(SeveralTables, ListARowAboveHeadingsThatIsNotUnderstood) {
+  for (const char* row : {"Mean,0.02,0.45", "O.008,0.05,0.431"}) {
+    const Dataset data = load(kHeadings + kOne + row + "\n" + kHeadings + kTwo);
+    EXPECT_EQ(data.points.size(), 6u) << row;
+    ASSERT_EQ(data.excluded.size(), 1u) << row;
+    EXPECT_EQ(data.excluded[0].line, 5u);
+    EXPECT_EQ(data.excluded[0].reason, "words where the rows above have numbers");
+  }
+  // in the second table, too
+  const Dataset third = load(kHeadings + kOne + kHeadings + kTwo + "Mean,0.02,0.45\n" + kHeadings + kOne);
+  ASSERT_EQ(third.excluded.size(), 1u);
+  EXPECT_EQ(third.excluded[0].line, 9u);
+  // with a number in front it is a row with a fault
+  EXPECT_NE(error_with("0.008,O.05,O.431\n" + kHeadings).find(":5:7: column 'T': 'O.05' is not a number"),
+            std::string::npos)
+      << error_with("0.008,O.05,O.431\n" + kHeadings);
+  // titles are none
+  EXPECT_TRUE(load("Interval,1,,\n" + kHeadings + kOne + "Interval,2,3\n" + kHeadings + kTwo).excluded.empty());
+}
+
 }  // namespace several_tables_test
 }  // namespace mixity

@@ -215,6 +215,20 @@ TEST(Spreadsheet, HiddenRowsAreReadWithANote) {
   EXPECT_EQ(texts_of(sheet.notes), std::vector<std::string>{"sheet 'Data' has 1 hidden row, read like the others"});
 }
 
+TEST(Spreadsheet, HiddenColumnsAreReadWithANote) {
+  const std::string begin =
+                        "<?xml version=\"1.0\"?><worksheet><cols><col min=\"2\" max=\"2\" hidden=\"1\"/><col min=\"4\" "
+                        "max=\"16384\" hidden=\"1\"/></cols><sheetData>",
+                    row = "<row><c><v>1</v></c><c><v>2</v></c><c><v>3</v></c>", end = "</row></sheetData></worksheet>";
+  const auto notes = [&](const std::string& cells) {
+    return texts_of(
+        read_workbook("a.xlsx", zipped(workbook_parts({{"Data", begin + kHead + row + cells + end}})), {}).notes);
+  };
+  const std::string note = "sheet 'Data' has numbers in hidden columns, read like the others: B";
+  EXPECT_EQ(notes(""), std::vector<std::string>{note});  // columns without numbers do not count
+  EXPECT_EQ(notes("<c r=\"AB2\"><v>4</v></c>"), std::vector<std::string>{note + ", AB"});
+}
+
 TEST(Spreadsheet, NumbersStoredAsTextMayHaveDecimalCommas) {
   EXPECT_EQ(sheet_text(rows_xml({{"P [mN]", "T [mN]"}, {"0.5", "0,52"}})), "P [mN]\tT [mN]\n\"0,5\"\t\"0,52\"");
   EXPECT_EQ(sheet_text(rows_xml({{"P [mN]", "T [mN]"}, {"0.5", "1,234"}})),
