@@ -54,7 +54,7 @@ struct Mixity {
 
 /// Mixity of a state with edge load y > 0 (or y = 0 with T > 0) and tangential load T >= 0.
 template <class S>
-Mixity<S> mixity_from_loads(const S& y, const S& T) {
+[[gnu::always_inline]] inline Mixity<S> mixity_from_loads(const S& y, const S& T) {
   using std::sqrt;
   const bool steep = T > y;
   const S t = steep ? S(y / T) : S(T / y), larger = S(1) / sqrt(S(1) + t * t), smaller = t * larger;

@@ -41,7 +41,7 @@ struct WatersGuduru {
   /// tau^2 = (y^2 + T^2) (cos^2(k psi) - cos^2 psi) = (y^2 + T^2) sin(h) sin(2 psi - h), h = lambda psi/2, with the
   /// last sine expanded so that y and T replace cos psi and sin psi: nothing cancels at either end, since h <= psi.
   template <class S>
-  static ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
+  [[gnu::always_inline]] static inline ShearTerm<S> shear_term(const std::array<S, 1>& p, const S& y, const S& T) {
     using std::atan, std::sqrt, std::tan;
     const S half = S(0.5) * p[0], k = S(1) - half;
     const bool steep = T > y;
