@@ -9,6 +9,7 @@
 #include "solver/kernel.h"
 #include "solver/multistart.h"
 #include "solver/prior.h"
+#include "solver/refit.h"
 #include "solver/verdict.h"
 
 namespace mixity {
@@ -204,7 +205,12 @@ SolvedWithPriors solve_with_priors(const Problem& data, const StartingPoints& st
   SolverOptions quick = options;
   quick.engine = Engine::kernel;
   quick.stationary = quick.kernel_stationary_of_several = 1e-6;  // the error of the cost is its square
+  quick.kernel_stationary = 1e-8;
   const auto settle = [&](std::vector<double>& x) {
+    if (const auto both = refit_near(of_data, x, quick)) {
+      x = both->minimum.x;
+      return both->unit;
+    }
     std::vector<double> residuals(n);
     const auto square = x.empty() ? std::nullopt : sum_of_squares(of_data, x, residuals);
     double unit = square ? std::sqrt(*square / static_cast<double>(n - unknown)) : 0.0;
