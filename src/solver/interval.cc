@@ -173,7 +173,7 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
   last_ = std::move(here);
   x_ = last_.x;
   const bool known = std::any_of(found_.begin(), found_.end(), [&](const auto& one) { return one[k_] == value; });
-  if (minimum->settled && !known) found_.push_back(x_);
+  if (minimum->settled && !known) found_.push_back(minimum->next);
   return Value{minimum->cost, minimum->slope, minimum->settled};
 }
 

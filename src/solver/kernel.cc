@@ -66,7 +66,8 @@ class GeneralCost final : public Cost {
     for (int k = 0; k < kCount; ++k) {
       cost.gradient[k] = gradient[static_cast<std::size_t>(k)];
       for (int l = 0; l < kCount; ++l)
-        cost.hessian(k, l) = hessian[static_cast<std::size_t>(std::max(k, l))][static_cast<std::size_t>(std::min(k, l))];
+        cost.hessian(k, l) =
+            hessian[static_cast<std::size_t>(std::max(k, l))][static_cast<std::size_t>(std::min(k, l))];
     }
     finish(cost);
   }
@@ -262,13 +263,18 @@ std::optional<Kernel::Held> Kernel::descend_held(std::span<const double> start, 
   const auto minimum = descend(start, {}, held);
   enough_ = 0;
   if (!minimum) return std::nullopt;
-  Held result{minimum->x, here_.value, 2 * here_.gradient[static_cast<Eigen::Index>(held)], minimum->stationary};
+  Held result{minimum->x, here_.value, 2 * here_.gradient[static_cast<Eigen::Index>(held)], minimum->stationary,
+              minimum->x};
   if (!minimum->stationary || open_.empty()) return result;
   const double gain = find_step(0);
   if (!(gain >= 0 && gain <= decrease)) return result;
   result.cost -= gain;
   for (Eigen::Index k = 0; k < step_.size(); ++k)
     result.slope += 2 * here_.hessian(static_cast<Eigen::Index>(held), open_[k]) * step_[k];
+  for (Eigen::Index k = 0; k < step_.size(); ++k) {
+    double& value = result.next[static_cast<std::size_t>(open_[k])];
+    value = problem_.parameters()[static_cast<std::size_t>(open_[k])].clamped(value + step_[k]);
+  }
   return result;
 }
 

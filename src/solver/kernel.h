@@ -35,11 +35,12 @@ class Kernel {
   std::optional<Minimum> explore(const Start& start);
 
   /// The same with parameter number `held` fixed, until the next step would lower the cost by at most `decrease`. That
-  /// step is not taken; cost and slope (in the held parameter) include it to first order.
+  /// step is not taken; cost and slope (in the held parameter) include it to first order. `next`: x after that step.
   struct Held {
     std::vector<double> x;
     double cost, slope;
     bool settled;
+    std::vector<double> next;
   };
   std::optional<Held> descend_held(std::span<const double> start, std::size_t held, double decrease);
 
