@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "fitting/run_differences.h"
+#include "solver/robust.h"
 #include "statistics/distributions.h"
 #include "statistics/variance_components.h"
 
@@ -25,13 +26,42 @@ std::size_t pool_of(std::size_t points, bool own) {
   return points < kManyPoints || own ? 1 : points / kRows;
 }
 
+/// Residuals limited to `bend` times their usual size, which the median of a sample tells; and the ratio of their sums
+/// of squares, before over after.
+struct LimitedResiduals {
+  std::vector<double> limited{};  // empty if none is beyond
+  double inflation = 1;
+};
+
+/// A few points far off look like a large part of the noise wherever they happen to lie, or like a memory: the parts of
+/// the errors and their correlation are found without their excess, by which all of them are then larger.
+LimitedResiduals limit(std::span<const double> residuals) {
+  constexpr double kBend = 6;  // one of a billion normal deviations is larger
+  constexpr std::size_t kSome = 20'000;
+  std::vector<double> sizes;
+  const std::size_t step = residuals.size() / kSome + 1;
+  for (std::size_t i = 0; i < residuals.size(); i += step) sizes.push_back(residuals[i]);
+  const double most = kBend * spread(sizes);
+  LimitedResiduals result;
+  if (!(most > 0) || std::none_of(residuals.begin(), residuals.end(), [&](double r) { return std::abs(r) > most; }))
+    return result;
+  double before = 0, after = 0;
+  for (const double r : residuals) {
+    result.limited.push_back(std::clamp(r, -most, most));
+    before += r * r;
+    after += square(result.limited.back());
+  }
+  result.inflation = before / after;
+  return result;
+}
+
 Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                         std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
-                         const ErrorModels& before, std::size_t pool) {
+                         std::span<const double> residuals, std::span<const double> leverages, const AxisErrors& T,
+                         const AxisErrors& A, const ErrorModels& before, std::size_t pool) {
   constexpr double kMostLeverage = 0.9;  // a residual with a larger one says little about its error
   Deviations rows(4, pool);
   const auto add = [&](std::size_t i) {
-    const double share = 1 - leverages[i], r = nearest.residuals[i];
+    const double share = 1 - leverages[i], r = residuals[i];
     if (share < 1 - kMostLeverage) return;
     const double alone = square(nearest.load_A[i]) * independence(before.correlations.first) +
                          square(nearest.load_T[i]) * independence(before.correlations.second);
@@ -45,7 +75,7 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
   if (rows.pool > 1) {
     for (const auto& run : used_runs(data, used).groups) std::for_each(run.begin(), run.end(), add);
   } else {
-    for (std::size_t i = 0; i < nearest.residuals.size(); ++i) add(i);
+    for (std::size_t i = 0; i < residuals.size(); ++i) add(i);
   }
   return rows;
 }
@@ -100,7 +130,7 @@ struct Deciding {
 
 /// `own`: as estimate_errors has it.
 Deciding deciding_deviations(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                             const std::vector<std::vector<double>>& own) {
+                             std::span<const double> residuals, const std::vector<std::vector<double>>& own) {
   struct Found {
     std::size_t row, place;
   };
@@ -117,7 +147,7 @@ Deciding deciding_deviations(const Dataset& data, std::span<const std::size_t> u
     for (const auto [i, place] : run) {
       if (some.deviations.size() == kDeciding) break;
       list.push_back(some.deviations.size());
-      some.deviations.push_back(nearest.residuals[i]);
+      some.deviations.push_back(residuals[i]);
       some.processes.places.push_back(static_cast<double>(place));
       some.processes.first.push_back(nearest.load_A[i]);
       some.processes.second.push_back(nearest.load_T[i]);
@@ -233,9 +263,11 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
   const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models, pool);
+  const LimitedResiduals limits = limit(nearest.residuals);
+  const std::vector<double>& residuals_used = limits.limited.empty() ? nearest.residuals : limits.limited;
   std::optional<Deciding> made;
   const auto deciding = [&]() -> const Deciding& {
-    if (!made) made = deciding_deviations(data, used, nearest, own);
+    if (!made) made = deciding_deviations(data, used, nearest, residuals_used, own);
     return *made;
   };
   // Points that scatter far less than their stated errors say nothing about these errors.
@@ -253,7 +285,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
     if (!ends) improve_correlated(deciding(), readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {
     made.reset();
-    const Deviations residuals = residual_rows(data, used, nearest, leverages, T, A, models, pool);
+    const Deviations residuals = residual_rows(data, used, nearest, residuals_used, leverages, T, A, models, pool);
     Deviations all = residuals;
     if (!T.known && (choose || before.differences)) add_differences_of_T(data, used, nearest, T.least, models, all);
     std::optional<VarianceComponents> found;
@@ -277,11 +309,15 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   }
   // While parts are being chosen, factors could replace them, since areas of different runs differ.
   if (!choose && !T.known && !A.known) {
-    std::vector<double> innovations = nearest.residuals;
+    std::vector<double> innovations = residuals_used;
     if (models.correlations.any() || used.size() < kManyPoints)
       Decorrelation(processes_of(data, used, nearest.load_T, nearest.load_A), {models.correlations}).apply(innovations);
     models.run_factors = run_factors(data, used, innovations, leverages, before);
   }
+  const bool estimated = !(ends && models.correlations.any());
+  const double larger = estimated ? std::sqrt(limits.inflation) : 1;
+  if (!T.known && models.T) *models.T = {models.T->constant * larger, models.T->share * larger};
+  if (!A.known && models.A) *models.A = {models.A->constant * larger, models.A->share * larger};
   return models;
 }
 
