@@ -34,24 +34,29 @@ struct LimitedResiduals {
 };
 
 /// A few points far off look like a large part of the noise wherever they happen to lie, or like a memory: the parts of
-/// the errors and their correlation are found without their excess, by which all of them are then larger.
+/// the errors and their correlation are found without their excess, by which all of them are then larger. A point whose
+/// neighbour is far off, too, belongs to a run that is.
 LimitedResiduals limit(std::span<const double> residuals) {
-  constexpr double kBend = 6;  // one of a billion normal deviations is larger
+  constexpr double kBend = 4;  // 6 of 100,000 normal deviations are larger
   constexpr std::size_t kSome = 20'000;
   std::vector<double> sizes;
-  const std::size_t step = residuals.size() / kSome + 1;
-  for (std::size_t i = 0; i < residuals.size(); i += step) sizes.push_back(residuals[i]);
+  const std::size_t n = residuals.size(), step = n / kSome + 1;
+  for (std::size_t i = 0; i < n; i += step) sizes.push_back(residuals[i]);
   const double most = kBend * spread(sizes);
+  const auto far = [&](std::size_t i, double as, double least) {
+    return i < n && std::copysign(residuals[i], residuals[i] * as) > least;
+  };
   LimitedResiduals result;
-  if (!(most > 0) || std::none_of(residuals.begin(), residuals.end(), [&](double r) { return std::abs(r) > most; }))
-    return result;
-  double before = 0, after = 0;
-  for (const double r : residuals) {
-    result.limited.push_back(std::clamp(r, -most, most));
+  double after = 0, before = 0;
+  for (std::size_t i = 0; most > 0 && i < n; ++i) {
+    const double r = residuals[i];
     before += r * r;
-    after += square(result.limited.back());
+    const bool alone = std::abs(r) > most && !far(i - 1, r, most / 2) && !far(i + 1, r, most / 2);
+    if (alone && result.limited.empty()) result.limited.assign(residuals.begin(), residuals.end());
+    if (alone) result.limited[i] = std::copysign(most, r);
+    after += alone ? most * most : r * r;
   }
-  result.inflation = before / after;
+  if (!result.limited.empty()) result.inflation = before / after;
   return result;
 }
 
