@@ -45,7 +45,8 @@ struct TableFlag {
 
 void define(const std::string& name, const std::string& help, const std::string& initial, bool is_switch) {
   static std::deque<TableFlag>& flags = *new std::deque<TableFlag>;  // never destroyed
-  TableFlag& flag = flags.emplace_back(TableFlag{name, help, initial, initial, initial == "true", initial == "true"});
+  flags.push_back({name, help, initial, initial, initial == "true", initial == "true"});
+  TableFlag& flag = flags.back();
   if (is_switch)
     gflags::FlagRegisterer(flag.name.c_str(), flag.help.c_str(), __FILE__, &flag.on, &flag.initially_on);
   else

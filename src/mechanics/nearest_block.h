@@ -78,8 +78,7 @@ inline void set_points(Block& block, const PlanePoints& points, std::size_t from
   if (count == kBlock)
     for (std::size_t slot = 0; slot < kBlock; ++slot) set_point(block, slot, points, from + slot);
   else
-    for (std::size_t slot = 0; slot < kBlock; ++slot)
-      set_point(block, slot, points, from + std::min(slot, count - 1));
+    for (std::size_t slot = 0; slot < kBlock; ++slot) set_point(block, slot, points, from + std::min(slot, count - 1));
 }
 
 /// Replaces the derivatives in `out`, those of -F/|grad F|, by those of the distance from an end or a corner of the

@@ -124,8 +124,9 @@ std::vector<double> Profile::predicted(const Anchor& anchor, double value) const
   std::vector<const std::vector<double>*> nearest;
   for (const auto& one : found_) nearest.push_back(&one);
   const std::size_t n = std::min(kMost, nearest.size());
-  std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(n), nearest.end(),
-                    [&](const auto* x, const auto* y) { return std::abs((*x)[k_] - value) < std::abs((*y)[k_] - value); });
+  std::partial_sort(
+      nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(n), nearest.end(),
+      [&](const auto* x, const auto* y) { return std::abs((*x)[k_] - value) < std::abs((*y)[k_] - value); });
   std::vector<double> x = tangent, column(n);
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i == k_) continue;
