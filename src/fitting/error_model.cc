@@ -26,37 +26,45 @@ std::size_t pool_of(std::size_t points, bool own) {
   return points < kManyPoints || own ? 1 : points / kRows;
 }
 
-/// Residuals limited to `bend` times their usual size, which the median of a sample tells; and the ratio of their sums
-/// of squares, before over after.
+/// Residuals limited to a few times their usual size, and the ratio of their sums of squares, before over after.
 struct LimitedResiduals {
   std::vector<double> limited{};  // empty if none is beyond
   double inflation = 1;
 };
 
 /// A few points far off look like a large part of the noise wherever they happen to lie, or like a memory: the parts of
-/// the errors and their correlation are found without their excess, by which all of them are then larger. A point whose
-/// neighbour is far off, too, belongs to a run that is.
-LimitedResiduals limit(std::span<const double> residuals) {
-  constexpr double kBend = 4;  // 6 of 100,000 normal deviations are larger
-  constexpr std::size_t kSome = 20'000;
+/// the errors and their correlation are found without their excess, by which all of them are then larger. A run of
+/// which several points are far off on one side is not limited: it may differ from the others.
+LimitedResiduals limit(const Dataset& data, std::span<const std::size_t> used, std::span<const double> residuals) {
+  constexpr double kBend = 5;                    // times the usual size: one of two million normal deviations is larger
+  constexpr double kSeveral = 2, kShare = 0.06;  // points of a run on one side, and their share of it
+  constexpr std::size_t kSome = 20'000;          // residuals whose median tells the usual size
   std::vector<double> sizes;
   const std::size_t n = residuals.size(), step = n / kSome + 1;
   for (std::size_t i = 0; i < n; i += step) sizes.push_back(residuals[i]);
   const double most = kBend * spread(sizes);
-  const auto far = [&](std::size_t i, double as, double least) {
-    return i < n && std::copysign(residuals[i], residuals[i] * as) > least;
+  const auto is_far = [&](double r) { return std::abs(r) > most; };
+  if (!(most > 0) || std::none_of(residuals.begin(), residuals.end(), is_far)) return {};
+  struct Run {
+    double points = 0, above = 0, below = 0;
   };
-  LimitedResiduals result;
-  double after = 0, before = 0;
-  for (std::size_t i = 0; most > 0 && i < n; ++i) {
-    const double r = residuals[i];
-    before += r * r;
-    const bool alone = std::abs(r) > most && !far(i - 1, r, most / 2) && !far(i + 1, r, most / 2);
-    if (alone && result.limited.empty()) result.limited.assign(residuals.begin(), residuals.end());
-    if (alone) result.limited[i] = std::copysign(most, r);
-    after += alone ? most * most : r * r;
+  std::vector<Run> runs(data.curves.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    Run& run = runs[data.points[used[i]].curve];
+    ++run.points;
+    if (is_far(residuals[i])) ++(residuals[i] > 0 ? run.above : run.below);
   }
-  if (!result.limited.empty()) result.inflation = before / after;
+  LimitedResiduals result{{residuals.begin(), residuals.end()}, 1};
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Run& run = runs[data.points[used[i]].curve];
+    double& r = result.limited[i];
+    before += r * r;
+    if (is_far(r) && (r > 0 ? run.above : run.below) <= std::max(kSeveral, kShare * run.points))
+      r = std::copysign(most, r);
+    after += r * r;
+  }
+  result.inflation = before / after;
   return result;
 }
 
@@ -268,7 +276,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
   const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models, pool);
-  const LimitedResiduals limits = limit(nearest.residuals);
+  const LimitedResiduals limits = limit(data, used, nearest.residuals);
   const std::vector<double>& residuals_used = limits.limited.empty() ? nearest.residuals : limits.limited;
   std::optional<Deciding> made;
   const auto deciding = [&]() -> const Deciding& {
