@@ -22,10 +22,11 @@ std::string printable(std::string_view text, std::size_t limit) {
 }
 
 std::string_view trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos ? text.substr(0, 0)
-                                         : text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  std::size_t begin = 0, end = text.size();
+  while (begin < end && is_blank(text[begin])) ++begin;
+  while (begin < end && is_blank(text[end - 1])) --end;
+  return text.substr(begin < end ? begin : 0, end - begin);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

@@ -1,4 +1,4 @@
-// What stands for dataset/table/spreadsheet.cc in a browser, which has no libzip.
+// What stands for dataset/table/spreadsheet.cc in a browser, which has no minizip.
 #include "base/input_error.h"
 #include "dataset/table/spreadsheet.h"
 

@@ -1,6 +1,7 @@
 #include "fitting/curve_objective.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <numeric>
@@ -16,12 +17,30 @@ constexpr std::size_t kPointsOfAThread = 1024;  // with fewer, starting a thread
 
 }  // namespace
 
-/// Arrays of a block: the points as scaled, their distances with derivatives, and their places.
+/// Arrays of a block: the points as scaled, where they are near to, their distances with derivatives, and their places.
 struct CurveObjective::Workspace {
-  Workspace(std::size_t n, std::size_t parameters) : values(new double[n * (11 + parameters)]), size(n) {}
+  static constexpr std::size_t kArrays = 13;
+  Workspace(std::size_t n, std::size_t parameters) : values(new double[n * (kArrays + parameters)]), size(n) {}
   std::span<double> array(std::size_t which, std::size_t n) { return {values.get() + which * size, n}; }
+  PointArrays points(std::size_t n) {
+    return {array(0, n), array(1, n), array(2, n), array(3, n), array(4, n), array(5, n), array(6, n)};
+  }
   std::unique_ptr<double[]> values;
   std::size_t size;
+};
+
+/// The indices of a block of points, given by their ranks.
+struct CurveObjective::Indices {
+  Indices(const CurveObjective& of, std::size_t begin, std::size_t n) {
+    if (!of.order_.empty()) {
+      list = std::span(of.order_).subspan(begin, n);
+    } else {
+      std::iota(own.begin(), own.begin() + n, static_cast<std::uint32_t>(begin));
+      list = std::span(own).first(n);
+    }
+  }
+  std::array<std::uint32_t, kBlock> own;
+  std::span<const std::uint32_t> list;
 };
 
 CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected,
@@ -35,21 +54,25 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
   // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
   if (whitening_ && !whitening_->predicted_across().empty())
     for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * whitening_->predicted_across()[i];
-  sort_points();
   const std::size_t n = points_.size;
+  Workspace workspace(std::min(n, kBlock), 0);
+  const PointArrays block = workspace.points(std::min(n, kBlock));
+  const auto fill = [&](std::size_t rank) {
+    const std::size_t count = std::min(kBlock, n - rank);
+    points_.fill(Indices(*this, rank, count).list, block);
+    return count;
+  };
   double areas = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const MeasuredPoint point = points_.at(i);
-    varies_ |= point.place.has_own_constants();
-    const double target = point.A / point.sigma_A;
-    areas += target * target;
-  }
+  for (std::size_t i = 0; i < n; i += kBlock)
+    for (std::size_t k = 0, count = fill(i); k < count; ++k) areas += std::pow(block.A[k] / block.sigma_A[k], 2);
+  for (std::size_t i = 0; i < n && points_.has_places(); ++i) varies_ |= points_.at(i).place.has_own_constants();
+  sort_points();
   double square = std::pow(std::sqrt(areas), 2);
+  for (std::size_t rank = 0; rank < n; rank += kBlock)
+    for (std::size_t k = 0, count = fill(rank); k < count; ++k) square += std::pow(block.T[k] / block.sigma_T[k], 2);
   std::size_t run_before = 0;
   for (std::size_t rank = 0; rank < n; ++rank) {
-    const MeasuredPoint point = points_.at(index_of(rank));
-    square += std::pow(point.T / point.sigma_T, 2);
-    const std::size_t run = shifts_.empty() ? 0 : point.run;
+    const std::size_t run = shifts_.empty() ? 0 : points_.at(index_of(rank)).run;
     if (rank == 0 || rank - blocks_.back() == kBlock || run != run_before) blocks_.push_back(rank);
     run_before = run;
   }
@@ -67,13 +90,13 @@ void CurveObjective::list_points() {
   const std::size_t n = points_.size;
   if (n >= kManyPoints || varies_) return;
   listed_.resize(5 * n);
-  for (std::size_t rank = 0; rank < n; ++rank) {
-    const MeasuredPoint point = points_.at(index_of(rank));
-    double* to = listed_.data() + rank;
-    for (const double value : {point.P, point.T, point.A, point.sigma_T, point.sigma_A}) {
-      *to = value;
-      to += n;
-    }
+  std::vector<double> near(2 * kBlock);
+  for (std::size_t rank = 0; rank < n; rank += kBlock) {
+    const std::size_t count = std::min(kBlock, n - rank);
+    const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * n + rank, count); };
+    points_.fill(Indices(*this, rank, count).list,
+                 {array(0), array(1), array(2), array(3), array(4), std::span(near).first(count),
+                  std::span(near).subspan(kBlock, count)});
   }
 }
 
@@ -87,9 +110,11 @@ void CurveObjective::sort_points() {
   };
   std::vector<Stretch> stretches;
   bool sorted = true;
+  Workspace workspace(std::min(points_.size, kBlock), 0);
+  const PointArrays block = workspace.points(std::min(points_.size, kBlock));
   for (std::size_t i = 0; i < points_.size; ++i) {
-    const MeasuredPoint point = points_.at(i);
-    const Key key(shifts_.empty() ? 0 : point.run, point.P);
+    if (i % kBlock == 0) points_.fill(Indices(*this, i, std::min(kBlock, points_.size - i)).list, block);
+    const Key key(shifts_.empty() ? 0 : points_.at(i).run, block.P[i % kBlock]);
     if (!stretches.empty() && stretches.back().key == key) continue;
     sorted &= stretches.empty() || stretches.back().key < key;
     stretches.push_back({key, i});
@@ -190,23 +215,44 @@ std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x, 
   return found;
 }
 
+/// Readings beside the true values, by noise along the curve.
+struct CurveObjective::Beside final : PointSource {
+  Beside(const MeasuredPoints& of, const NearestPlaces& on, double towards) : points(of), places(on), side(towards) {}
+  void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
+    points.fill(indices, to);
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      const std::size_t i = indices[k];
+      to.T[k] = T_of(i, to.sigma_T[k]);
+      to.A[k] = A_of(i, to.sigma_A[k]);
+      if (points.size < kManyPoints) continue;
+      to.near_T[k] = places.T[i];
+      to.near_A[k] = places.A[i];
+    }
+  }
+  MeasuredPoint at(std::size_t i) const override {
+    MeasuredPoint point = points.at(i);
+    point.T = T_of(i, point.sigma_T);
+    point.A = A_of(i, point.sigma_A);
+    return point;
+  }
+  bool has_places() const override { return points.has_places(); }
+  double T_of(std::size_t i, double sigma) const { return places.T[i] + side * places.load_A[i] * sigma; }
+  double A_of(std::size_t i, double sigma) const {
+    return std::max(places.A[i] - side * places.load_T[i] * sigma, 0.5 * places.A[i]);
+  }
+  const MeasuredPoints& points;
+  const NearestPlaces& places;
+  double side;
+};
+
 std::optional<std::vector<double>> CurveObjective::expected(std::span<const double> x,
                                                             const NearestPlaces& places) const {
   const std::size_t n = points_.size;
   std::vector<double> mean(n, 0.0), distances(n);
   const double root = 1.0;
   for (const double side : {-root, root}) {
-    const MeasuredPoints beside(n, [&, side](std::size_t i) {
-      MeasuredPoint point = points_.at(i);
-      point.T = places.T[i] + side * places.load_A[i] * point.sigma_T;
-      point.A = std::max(places.A[i] - side * places.load_T[i] * point.sigma_A, 0.5 * places.A[i]);
-      if (n >= kManyPoints) {
-        point.near_T = places.T[i];
-        point.near_A = places.A[i];
-      }
-      return point;
-    });
-    if (!all_blocks(x, beside, Search::global, {distances, {}, {}})) return std::nullopt;
+    if (!all_blocks(x, {n, std::make_shared<Beside>(points_, places, side)}, Search::global, {distances, {}, {}}))
+      return std::nullopt;
     for (std::size_t i = 0; i < n; ++i) mean[i] += distances[i] / 2;
   }
   return mean;
@@ -261,24 +307,25 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
     }
     return;
   }
-  const bool varies = varies_ || has_changes(constants), near = points.at(index_of(begin)).near_A > 0;
+  const PointArrays arrays = workspace.points(n);
+  points.fill(Indices(*this, begin, n).list, arrays);
+  const bool varies = varies_ || has_changes(constants), near = arrays.near_A[0] > 0;
   if (near && out.place_A.empty()) {
-    out.place_T = workspace.array(9, n);
-    out.place_A = workspace.array(10, n);
+    out.place_T = workspace.array(11, n);
+    out.place_A = workspace.array(12, n);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const MeasuredPoint point = points.at(index_of(begin + i));
-    if (varies) scale = ConstantsScale(constants, point.place);
+    if (varies) scale = ConstantsScale(constants, points.at(index_of(begin + i)).place);
     if (near && !(out.place_A[i] > 0)) {
-      out.place_T[i] = std::abs(scale.shear(point.near_T));
-      out.place_A[i] = scale.true_area(point.near_A);
+      out.place_T[i] = std::abs(scale.shear(arrays.near_T[i]));
+      out.place_A[i] = scale.true_area(arrays.near_A[i]);
     }
-    P[i] = scale.load(point.P);
-    T[i] = scale.shear(point.T);
-    A[i] = scale.true_area(point.A);
-    sigma_T[i] = scale.force * point.sigma_T;
-    sigma_A[i] = scale.area * point.sigma_A;
+    P[i] = scale.load(P[i]);
+    T[i] = scale.shear(T[i]);
+    A[i] = scale.true_area(A[i]);
+    sigma_T[i] *= scale.force;
+    sigma_A[i] *= scale.area;
   }
 }
 
@@ -286,13 +333,14 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
                                const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
   const auto array = [&](std::size_t which) { return workspace.array(which, n); };
-  CurveDistances out{array(5), array(6), array(7), array(8), {workspace.values.get() + 11 * workspace.size, n * p}};
+  CurveDistances out{
+      array(7), array(8), array(9), array(10), {workspace.values.get() + Workspace::kArrays * workspace.size, n * p}};
   if (!wanted.places.empty()) {
     out.place_T = wanted.places.subspan(begin, n);
     out.place_A = wanted.places.subspan(points.size + begin, n);
   } else if (wanted.nearest) {
-    out.place_T = array(9);
-    out.place_A = array(10);
+    out.place_T = array(11);
+    out.place_A = array(12);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
   scale_block(at.constants, points, begin, workspace, out);

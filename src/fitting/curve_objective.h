@@ -50,6 +50,7 @@ class CurveObjective final : public ModelProblem {
 
  private:
   struct Workspace;
+  struct Beside;
   /// The outputs to fill; empty or null ones are skipped.
   struct Wanted {
     std::span<double> residuals, jacobian, places;
@@ -63,6 +64,7 @@ class CurveObjective final : public ModelProblem {
   void sort_points();
   void list_points();
   std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
+  struct Indices;
   void whiten(std::span<double> jacobian) const;
   void take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const;
   bool residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,

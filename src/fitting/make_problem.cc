@@ -33,7 +33,8 @@ std::vector<PointPlace> constants_of_runs(const Dataset& data, const RunDifferen
 /// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
 /// must outlive the result.
 MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
-  struct Source {
+  struct Source final : PointSource {
+    Source(const Dataset& of, std::shared_ptr<const StandardErrors> with) : data(of), errors(std::move(with)) {}
     const Dataset& data;
     std::shared_ptr<const StandardErrors> errors;
     std::vector<std::size_t> used{};  // empty: all, in their order
@@ -41,7 +42,20 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     std::vector<PointPlace> runs{};
     bool near = false;  // whether the places of the fit so far are known
 
-    MeasuredPoint at(std::size_t k) const {
+    bool has_places() const override { return places.has_value(); }
+    void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
+      for (std::size_t k = 0; k < indices.size(); ++k) {
+        const std::size_t i = used.empty() ? indices[k] : used[indices[k]];
+        to.P[k] = data.points[i].P;
+        to.T[k] = data.shear_as_read(i);
+        to.A[k] = data.points[i].A;
+        to.sigma_T[k] = errors ? errors->T[i] : 1;
+        to.sigma_A[k] = errors ? errors->A[i] : 1;
+        to.near_T[k] = near ? errors->place_T[i] : 0;
+        to.near_A[k] = near ? errors->place_A[i] : 0;
+      }
+    }
+    MeasuredPoint at(std::size_t k) const override {
       const std::size_t i = used.empty() ? k : used[k];
       const Point& p = data.points[i];
       MeasuredPoint point{p.P, data.shear_as_read(i), p.A, errors ? errors->T[i] : 1, errors ? errors->A[i] : 1};
@@ -60,7 +74,8 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
       return point;
     }
   };
-  Source source{data, prepared.errors};
+  const auto shared = std::make_shared<Source>(data, prepared.errors);
+  Source& source = *shared;
   bool all = true;
   for (std::size_t k = 0; all && k < prepared.used.size(); ++k) all = prepared.used[k] == k;
   if (!all) source.used = prepared.used;
@@ -68,8 +83,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
   const std::size_t n = prepared.used.size();
-  if (n >= kManyPoints)
-    return {n, [shared = std::make_shared<const Source>(std::move(source))](std::size_t k) { return shared->at(k); }};
+  if (n >= kManyPoints) return {n, shared};
   std::vector<MeasuredPoint> list;
   list.reserve(n);
   for (std::size_t k = 0; k < n; ++k) list.push_back(source.at(k));

@@ -3,6 +3,31 @@
 #include <cmath>
 
 namespace mixity {
+namespace {
+
+struct ListedPoints final : PointSource {
+  explicit ListedPoints(std::vector<MeasuredPoint> points) : list(std::move(points)) {}
+  MeasuredPoint at(std::size_t i) const override { return list[i]; }
+  void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      const MeasuredPoint& point = list[indices[k]];
+      to.P[k] = point.P;
+      to.T[k] = point.T;
+      to.A[k] = point.A;
+      to.sigma_T[k] = point.sigma_T;
+      to.sigma_A[k] = point.sigma_A;
+      to.near_T[k] = point.near_T;
+      to.near_A[k] = point.near_A;
+    }
+  }
+  bool has_places() const override { return true; }
+  std::vector<MeasuredPoint> list;
+};
+
+}  // namespace
+
+MeasuredPoints::MeasuredPoints(std::vector<MeasuredPoint> list)
+    : size(list.size()), source_(std::make_shared<ListedPoints>(std::move(list))) {}
 
 FreeChoice::FreeChoice(ContactModel model, const Candidate& base, const std::vector<bool>& held)
     : model_(std::move(model)), base_(base) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,22 +27,40 @@ struct MeasuredPoint {
   double near_T = 0, near_A = 0;  // a reading of a place near the nearest point of the curve; A = 0: not known
 };
 
+/// The numbers of some measured points.
+struct PointArrays {
+  std::span<double> P, T, A, sigma_T, sigma_A, near_T, near_A;
+};
+
+/// Where measured points come from. Several threads may call it.
+class PointSource {
+ public:
+  PointSource() = default;
+  PointSource(const PointSource&) = delete;
+  PointSource& operator=(const PointSource&) = delete;
+  virtual ~PointSource() = default;
+  virtual MeasuredPoint at(std::size_t i) const = 0;
+  /// Fills the arrays with the points at these indices: for many points far faster than at().
+  virtual void fill(std::span<const std::uint32_t> indices, const PointArrays& arrays) const = 0;
+  /// Whether a point may have another place than PointPlace{}.
+  virtual bool has_places() const = 0;
+};
+
 /// Measured points. Those of a large data set are computed on demand: an array of millions would be most of the memory
 /// of a fit.
 class MeasuredPoints {
  public:
-  using Maker = std::function<MeasuredPoint(std::size_t)>;  // several threads may call it
-  MeasuredPoints(std::size_t n, Maker make) : size(n), make_(std::move(make)) {}
-  MeasuredPoints(std::vector<MeasuredPoint> list)
-      : size(list.size()), list_(std::make_shared<const std::vector<MeasuredPoint>>(std::move(list))) {}
+  MeasuredPoints(std::size_t n, std::shared_ptr<const PointSource> source) : size(n), source_(std::move(source)) {}
+  MeasuredPoints(std::vector<MeasuredPoint> list);
 
-  MeasuredPoint at(std::size_t i) const { return list_ ? (*list_)[i] : make_(i); }
+  MeasuredPoint at(std::size_t i) const { return source_->at(i); }
+  void fill(std::span<const std::uint32_t> indices, const PointArrays& arrays) const { source_->fill(indices, arrays); }
+  bool has_places() const { return source_->has_places(); }
 
   std::size_t size;
 
  private:
-  std::shared_ptr<const std::vector<MeasuredPoint>> list_;
-  Maker make_;
+  std::shared_ptr<const PointSource> source_;
 };
 
 /// Which parameters are free, in the solver's order, and at which values the others are held.

@@ -12,7 +12,7 @@ add_library(browser_headers INTERFACE)
 target_include_directories(browser_headers SYSTEM INTERFACE ${headers} ${headers}/eigen3)
 target_compile_definitions(browser_headers INTERFACE TOML_HEADER_ONLY=1 UTF8PROC_STATIC)
 foreach(name Boost::headers Eigen3::Eigen Ceres::ceres nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus
-        PkgConfig::utf8proc PkgConfig::libzip pugixml::pugixml Threads::Threads)
+        PkgConfig::utf8proc PkgConfig::minizip pugixml::pugixml Threads::Threads)
   add_library(${name} INTERFACE IMPORTED)
   target_link_libraries(${name} INTERFACE browser_headers)
 endforeach()

@@ -1,6 +1,8 @@
 #include "dataset/table/archive.h"
 
-#include <zip.h>
+#include <unzip.h>
+
+#include <cstdint>
 
 #include "base/files.h"
 #include "base/input_error.h"
@@ -9,59 +11,88 @@
 namespace mixity {
 namespace {
 
-constexpr zip_flags_t kAnyCase = ZIP_FL_NOCASE;
+constexpr int kAnyCase = 2;  // of unzLocateFile
 
-std::string words(zip_error_t* error) {
-  std::string text = zip_error_strerror(error);
-  zip_error_fini(error);
-  return text;
+// Bytes in memory as the file that minizip reads.
+struct Stream {
+  std::string_view bytes;
+  std::size_t at = 0;
+  bool ended = false;  // within something that was read, which minizip asks for: it takes what is missing for zeros
+
+  static Stream& of(void* file) { return *static_cast<Stream*>(file); }
+  static void* open(void* bytes, const void*, int) { return new Stream{*static_cast<const std::string_view*>(bytes)}; }
+  static uLong read(void*, void* file, void* to, uLong most) {
+    Stream& from = of(file);
+    const std::size_t length = from.bytes.copy(static_cast<char*>(to), most, from.at);
+    from.at += length;
+    from.ended |= length < most;
+    return length;
+  }
+  static ZPOS64_T tell(void*, void* file) { return of(file).at; }
+  static long seek(void*, void* file, ZPOS64_T offset, int origin) {
+    Stream& in = of(file);
+    const std::size_t start = origin == ZLIB_FILEFUNC_SEEK_SET   ? 0
+                              : origin == ZLIB_FILEFUNC_SEEK_CUR ? in.at
+                                                                 : in.bytes.size();
+    const std::size_t to = start + offset;  // a negative offset wraps
+    if (to > in.bytes.size()) return -1;
+    in.at = to;
+    return 0;
+  }
+  static int close(void*, void* file) {
+    delete &of(file);
+    return 0;
+  }
+  static int error(void*, void* file) { return of(file).ended; }
+};
+
+std::string damaged(const std::string& part) {
+  return "is damaged (part '" + printable(part, 60) + "'); save or copy it again";
 }
 
 }  // namespace
 
 Archive::Archive(const std::string& path, std::string_view bytes, std::size_t most)
-    : path_(path), most_(most), zip_(nullptr, &zip_discard) {
-  zip_error_t error;
-  zip_error_init(&error);
-  zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  if (source) zip_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
-  if (zip_) return;
-  if (source) zip_source_free(source);
-  throw InputError(
-      path, "is a workbook or an archive that is damaged or incomplete (" + words(&error) + "); save or copy it again");
+    : path_(path), most_(most), zip_(nullptr, &unzClose) {
+  zlib_filefunc64_def functions{&Stream::open, &Stream::read,  nullptr,        &Stream::tell,
+                                &Stream::seek, &Stream::close, &Stream::error, &bytes};
+  zip_.reset(unzOpen2_64("", &functions));
+  if (!zip_) throw InputError(path, "is a workbook or an archive that is damaged or incomplete; save or copy it again");
 }
 
-bool Archive::holds(const std::string& part) const { return zip_name_locate(zip_.get(), part.c_str(), kAnyCase) >= 0; }
+bool Archive::holds(const std::string& part) const {
+  return unzLocateFile(zip_.get(), part.c_str(), kAnyCase) == UNZ_OK;
+}
 
 void Archive::read(const std::string& part, const std::function<bool(std::string_view)>& use) const {
-  constexpr zip_uint64_t kOrdinary = zip_uint64_t{1} << 26, kMostRatio = 500;
+  constexpr std::uint64_t kOrdinary = std::uint64_t{1} << 26, kMostRatio = 500;
   constexpr std::size_t kPiece = std::size_t{1} << 20;
-  zip_stat_t about;
-  if (zip_stat(zip_.get(), part.c_str(), kAnyCase, &about) != 0)
+  constexpr uLong kLocked = 1;
+  unz_file_info64 about;
+  if (!holds(part))
     throw InputError(path_, "is damaged: its part '" + printable(part, 60) + "' is missing; save it again");
   const auto refuse = [&](const std::string& what) {
     throw InputError(path_, what + "; save the sheet that holds the data as CSV");
   };
-  if (about.size > most_) refuse("unpacks to more than " + std::to_string(most_ >> 20) + " MB");
-  if (about.size > kOrdinary && about.size / kMostRatio > about.comp_size)
+  if (unzGetCurrentFileInfo64(zip_.get(), &about, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
+    throw InputError(path_, damaged(part));
+  if (about.uncompressed_size > most_) refuse("unpacks to more than " + std::to_string(most_ >> 20) + " MB");
+  if (about.uncompressed_size > kOrdinary && about.uncompressed_size / kMostRatio > about.compressed_size)
     refuse("unpacks to more than " + std::to_string(kMostRatio) + " times its size, as no measurement does");
-  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen(zip_.get(), part.c_str(), kAnyCase),
-                                                               &zip_fclose);
-  if (!file) {
-    zip_error_t* const error = zip_get_error(zip_.get());
-    if (zip_error_code_zip(error) == ZIP_ER_NOPASSWD) refuse("is protected by a password");
-    refuse("cannot be unpacked (" + std::string(zip_error_strerror(error)) + ")");
-  }
+  if (about.flag & kLocked) refuse("is protected by a password");
+  if (about.compression_method != 0 && about.compression_method != Z_DEFLATED)
+    refuse("is packed by an unknown method (" + std::to_string(about.compression_method) + ")");
+  if (unzOpenCurrentFile(zip_.get()) != UNZ_OK) throw InputError(path_, damaged(part));
+  std::unique_ptr<void, int (*)(void*)> opened(zip_.get(), &unzCloseCurrentFile);
   std::string piece(kPiece, '\0');
-  for (std::size_t total = 0;;) {
-    const zip_int64_t length = zip_fread(file.get(), piece.data(), piece.size());
-    if (length < 0)
-      throw InputError(path_, "is damaged (part '" + printable(part, 60) + "': " +
-                                  zip_error_strerror(zip_file_get_error(file.get())) + "); save or copy it again");
-    total += static_cast<std::size_t>(length);
-    if (total > most_) refuse("unpacks to more than it states");
-    if (length == 0 || !use(std::string_view(piece).substr(0, static_cast<std::size_t>(length)))) return;
+  for (std::uint64_t total = 0;;) {
+    const int length = unzReadCurrentFile(zip_.get(), piece.data(), kPiece);
+    if (length == 0 && total == about.uncompressed_size) break;
+    if (length <= 0) throw InputError(path_, damaged(part));
+    total += static_cast<std::uint64_t>(length);
+    if (!use(std::string_view(piece).substr(0, static_cast<std::size_t>(length)))) return;
   }
+  if (unzCloseCurrentFile(opened.release()) != UNZ_OK) throw InputError(path_, damaged(part));
 }
 
 std::string Archive::read(const std::string& part) const {

@@ -1,4 +1,4 @@
-// Zip files in memory, unpacked by libzip.
+// Zip files in memory, unpacked by minizip.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-
-struct zip;
 
 namespace mixity {
 
@@ -31,7 +29,7 @@ class Archive {
  private:
   std::string path_;
   std::size_t most_;
-  std::unique_ptr<zip, void (*)(zip*)> zip_;
+  std::unique_ptr<void, int (*)(void*)> zip_;
 };
 
 }  // namespace mixity

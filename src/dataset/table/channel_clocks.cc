@@ -21,9 +21,10 @@ bool may_be_times(const Heading& heading) {
 std::optional<std::size_t> time_column(const std::vector<Heading>& headings, const Columns& columns,
                                        const ColumnRules& rules) {
   if (const Column* const time = columns.find(ColumnId::time)) return time->index;
-  const Vocabulary& names = rules.names ? *rules.names : Vocabulary::shipped();
-  for (std::size_t i = 0; i < headings.size() && !rules.log; ++i)
-    if (const auto read = names.read(headings[i], i); read && read->id == ColumnId::time) return i;
+  for (std::size_t i = 0; i < headings.size() && !rules.log; ++i) {
+    if (const auto own = column_named(headings[i].name); own && own != ColumnId::time) continue;
+    if (const auto read = rules.known_names().read(headings[i], i); read && read->id == ColumnId::time) return i;
+  }
   return std::nullopt;
 }
 

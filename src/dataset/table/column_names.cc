@@ -131,12 +131,12 @@ class Names {
   }
 
   /// If the set is complete, adds only optional columns.
-  void add_by_vocabulary(const Vocabulary& vocabulary) {
+  void add_by_vocabulary() {
     const bool complete = is_complete();
     const auto is_wanted = [&](ColumnId id) { return is_read(id) && (!complete || is_beside(id)); };
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       if (at(i) || column_named(headings_[i].name)) continue;  // an own name whose unit does not fit
-      auto column = vocabulary.read(headings_[i], i);
+      auto column = rules_.known_names().read(headings_[i], i);
       if (!column || !is_wanted(column->id)) continue;
       const NamedColumn* before = find(column->id);
       if (!before)
@@ -147,14 +147,14 @@ class Names {
                              name_of(column->id) + "; say which: " + mapping(column->id, headings_, before->index) +
                              " or " + mapping(column->id, headings_, i));
     }
-    // "_N" of "normal force_N" may be an index; it is a unit if other headings end in units
+    // "_N" of "normal force_N" may be an index; it is a unit if other headings end in units. No own name ends in one
     if (std::any_of(columns_.begin(), columns_.end(), [](const NamedColumn& column) { return column.heading.unit; }))
       for (NamedColumn& column : columns_)
-        if (!column.heading.unit && !is_mapped(column.id) && is_wanted(column.id))
-          if (auto better = vocabulary.read(headings_[column.index], column.index, true);
+        if (!column.heading.unit && !is_mapped(column.id) && is_wanted(column.id) && !column_named(column.heading.name))
+          if (auto better = rules_.known_names().read(headings_[column.index], column.index, true);
               better && better->id == column.id)
             column = std::move(*better);
-    if (!is_complete()) refuse_unit(vocabulary, rules_.log && !find(ColumnId::P) && !find(ColumnId::T));
+    if (!is_complete()) refuse_unit(rules_.log && !find(ColumnId::P) && !find(ColumnId::T));
   }
 
   /// Adds own names whose unit does not fit if no other column is that quantity. Reading them rejects the unit.
@@ -260,11 +260,11 @@ class Names {
 
   /// Throws for a heading of a quantity that is still needed, if its unit is unknown or does not fit. `masses`: only
   /// for a unit of mass, as a log of areas needs no forces.
-  void refuse_unit(const Vocabulary& vocabulary, bool masses) const {
+  void refuse_unit(bool masses) const {
     for (std::size_t i = 0; i < headings_.size(); ++i) {
       const Heading& heading = headings_[i];
       if (masses && !(heading.unit && is_mass(*heading.unit))) continue;
-      const auto id = vocabulary.find(heading.name);
+      const auto id = rules_.known_names().find(heading.name);
       if (!id || unit_fits(heading.unit, *id) || find(*id)) continue;
       if (*id == ColumnId::T || (*id == ColumnId::P && !rules_.load_stated) || (*id == ColumnId::A && !is_sized()))
         throw InputError(
@@ -330,7 +330,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   names.add_mapped();
   names.add_own_names();
   names.add_times_called_T();
-  if (rules.vocabulary) names.add_by_vocabulary(rules.names ? *rules.names : Vocabulary::shipped());
+  if (rules.vocabulary) names.add_by_vocabulary();
   if (rules.vocabulary) names.add_misfits();
   names.drop_redundant_sizes();
   names.take_clock_of_channels();

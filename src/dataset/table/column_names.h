@@ -21,6 +21,9 @@ struct ColumnRules {
   bool vocabulary = true;                     // false: only the program's own names count
   bool log = false;                           // the table needs a column of times, and T or A; only logs have times
   bool shared_mapping = false;                // the mapping is that of two tables: one may lack its columns
+
+  /// The vocabulary. The shipped one takes a while to read when it is first asked for.
+  const Vocabulary& known_names() const { return names ? *names : Vocabulary::shipped(); }
 };
 
 /// The columns that name quantities, in their order, each quantity once. The user's mapping comes first, as it may

@@ -136,19 +136,19 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
   find_runs_beside(headings, used);
   require_a_complete_set(path, headings, rules);
   require_consistent_units(path, headings, rules);
-  if (rules.vocabulary) find_unused(headings, used, rules.names ? *rules.names : Vocabulary::shipped());
+  if (rules.vocabulary) find_unused(headings, used, rules);
 }
 
 void Columns::find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used,
-                          const Vocabulary& vocabulary) {
+                          const ColumnRules& rules) {
   std::size_t next = 0;  // index among the ignored columns
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const Heading& heading = headings[i];
     if (used[i] || heading.name.empty()) continue;
     const std::string& name = ignored[next++];
     auto id = column_named(heading.name);
-    if (const auto read = id ? std::nullopt : vocabulary.read(heading, i)) id = read->id;
-    if (!id) id = vocabulary.find(heading.name);
+    if (const auto read = id ? std::nullopt : rules.known_names().read(heading, i)) id = read->id;
+    if (!id) id = rules.known_names().find(heading.name);
     if (!id || is_clock(*id) || (has(*id) && !beside.empty())) continue;
     const std::string quantity(to_string(*id));
     if (const Column* const other = find(*id))

@@ -59,7 +59,7 @@ struct Columns {
   std::string beside;
 
  private:
-  void find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used, const Vocabulary& vocabulary);
+  void find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used, const ColumnRules& rules);
   void find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used);
   void require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                               const ColumnRules& rules) const;

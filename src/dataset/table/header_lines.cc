@@ -101,12 +101,13 @@ bool begin_with_names(const std::vector<CsvRow>& lines, std::size_t first, std::
   return rows >= kLeast;
 }
 
-/// The first few indices at which rows of this width begin: lines such as "Samples 39 39 39" may precede the table.
-std::vector<std::size_t> first_rows(const std::vector<CsvRow>& lines, std::size_t width) {
+/// The first few indices at which rows of the usual width begin: lines such as "Samples 39 39 39" may precede the
+/// table.
+std::vector<std::size_t> first_rows(const std::vector<CsvRow>& lines, const NumberRows& rows) {
   std::vector<std::size_t> begins;
   bool before = false;
   for (std::size_t i = 0; i < lines.size() && begins.size() < kBegins; ++i) {
-    const bool is_row = lines[i].size() == width && is_row_of_numbers(lines[i]);
+    const bool is_row = lines[i].size() == rows.width && rows.are[i];
     if (is_row && !before) begins.push_back(i);
     before = is_row;
   }
@@ -186,25 +187,27 @@ bool begins_with_words(const CsvRow& row) {
   return i < row.size() && row[i].find_first_of("+-.,0123456789") != 0 && !is_missing(row[i]) && !is_number(row[i]);
 }
 
-std::size_t usual_width(const std::vector<CsvRow>& lines) {
+NumberRows::NumberRows(const std::vector<CsvRow>& lines) {
   std::map<std::size_t, std::size_t> rows, with_words;  // by their width
   std::size_t count = 0, count_with_words = 0;
   for (const CsvRow& line : lines) {
-    if (!is_row_of_numbers(line)) continue;
+    are.push_back(is_row_of_numbers(line));
+    if (!are.back()) continue;
     const bool words = begins_with_words(line);
     ++(words ? with_words : rows)[line.size()];
     ++(words ? count_with_words : count);
   }
   if (2 * count < count_with_words)
-    for (const auto& [width, n] : with_words) rows[width] += n;
+    for (const auto& [fields, n] : with_words) rows[fields] += n;
   std::pair<std::size_t, std::size_t> most;  // rows, width: the wider of equally many, as heads have fewer fields
-  for (const auto& [width, n] : rows) most = std::max(most, {n, width});
-  return most.second;
+  for (const auto& [fields, n] : rows) most = std::max(most, {n, fields});
+  width = most.second;
 }
 
-std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
-                                         const ColumnRules& rules) {
-  const std::vector<std::size_t> begins = first_rows(lines, width);
+std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines,
+                                         const NumberRows& rows, const ColumnRules& rules) {
+  const std::size_t width = rows.width;
+  const std::vector<std::size_t> begins = first_rows(lines, rows);
   const ColumnRules by_name = without_numbers(rules);
   HeadingLine found{{}, begins.front(), {}};
   std::size_t most = 0;
@@ -213,6 +216,7 @@ std::optional<HeadingLine> find_headings(const std::string& path, const std::vec
     for (std::size_t i = first; i-- > first - std::min(first, kAbove);) {
       if (holds_only_units(lines[i])) continue;
       for (std::vector<Heading>& headings : split_headings(lines[i])) {
+        if (headings.size() <= most) continue;  // which cannot name more
         if (names && headings.size() + 1 == width)
           headings.insert(headings.begin(), {"", "", {}, true, headings.front().place});
         const std::size_t named = count_named(path, headings, width, by_name, lines[i].delimiter() == kBlanks);

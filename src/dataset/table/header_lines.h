@@ -27,15 +27,20 @@ bool is_row_of_numbers(const CsvRow& row);
 /// Whether its first field that is filled holds words.
 bool begins_with_words(const CsvRow& row);
 
-/// The number of fields that most rows of numbers have; 0 if there are none. Rows that begin with words, as lines of a
-/// head do ("Samples 39 39"), count only if they are most.
-std::size_t usual_width(const std::vector<CsvRow>& lines);
+struct NumberRows {
+  std::vector<bool> are;  // whether each line is a row of numbers
+  /// The number of fields that most of them have; 0 if there are none. Rows that begin with words, as lines of a head
+  /// do
+  /// ("Samples 39 39"), count only if they are most.
+  std::size_t width = 0;
+  explicit NumberRows(const std::vector<CsvRow>& lines);
+};
 
-/// The line that names most quantities, among the few lines above each of the first places where rows of `width` fields
-/// begin. Mappings by number do not count, and a line of units is not one of headings. If no line names a quantity, a
-/// line of words is taken. Null if there is none either, and no mapping.
-std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines, std::size_t width,
-                                         const ColumnRules& rules);
+/// The line that names most quantities, among the few lines above each of the first places where rows of the usual
+/// width begin. Mappings by number do not count, and a line of units is not one of headings. If no line names a
+/// quantity, a line of words is taken. Null if there is none either, and no mapping.
+std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines,
+                                         const NumberRows& rows, const ColumnRules& rules);
 
 /// Whether the row has no numbers, and at least one of these columns has a unit that is not just a number. If no
 /// columns are given, half of all fields must be units.

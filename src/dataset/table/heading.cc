@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
-#include <set>
+#include <vector>
 
 #include "base/text.h"
 #include "dataset/table/number.h"
@@ -51,13 +52,20 @@ std::vector<Heading> headings_of(const CsvRow& header) {
 }
 
 std::string folded(std::string_view name) {
+  std::string kept;
+  if (std::all_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) {
+    for (const char c : name)
+      if (const char lower = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+          is_digit(lower) || (lower >= 'a' && lower <= 'z'))
+        kept += lower;
+    return kept;
+  }
   utf8proc_uint8_t* mapped = nullptr;
   const auto size = utf8proc_map(
       reinterpret_cast<const utf8proc_uint8_t*>(name.data()), static_cast<utf8proc_ssize_t>(name.size()), &mapped,
       static_cast<utf8proc_option_t>(UTF8PROC_DECOMPOSE | UTF8PROC_COMPAT | UTF8PROC_CASEFOLD | UTF8PROC_STRIPMARK));
   if (size < 0) return {};
   const std::unique_ptr<utf8proc_uint8_t, void (*)(void*)> owned(mapped, std::free);
-  std::string kept;
   for (utf8proc_ssize_t at = 0; at < size;) {
     utf8proc_int32_t character = 0;
     const auto length = utf8proc_iterate(mapped + at, size - at, &character);
@@ -78,15 +86,18 @@ std::string letters_of(std::string_view name) {
 }
 
 std::string sorted_words(std::string_view name) {
-  static const std::set<std::string> skipped{"of", "the", "a",   "de",    "du",  "des", "la",  "le", "l",
-                                             "d",  "di",  "del", "della", "der", "die", "das", "el"};
-  std::set<std::string> words;
+  constexpr std::string_view kSkipped[] = {"of", "the", "a",   "de",    "du",  "des", "la",  "le", "l",
+                                           "d",  "di",  "del", "della", "der", "die", "das", "el"};
+  std::vector<std::string> words;
   while (!name.empty()) {
     const std::size_t end = std::min(name.find_first_of(" _-'./"), name.size());
     std::string word = folded(name.substr(0, end));
-    if (!word.empty() && !skipped.contains(word)) words.insert(std::move(word));
+    if (!word.empty() && std::find(std::begin(kSkipped), std::end(kSkipped), word) == std::end(kSkipped))
+      words.push_back(std::move(word));
     name.remove_prefix(std::min(end + 1, name.size()));
   }
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
   std::string joined;
   for (const std::string& word : words) joined += (joined.empty() ? "" : " ") + word;
   return joined;

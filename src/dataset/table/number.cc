@@ -1,6 +1,7 @@
 #include "dataset/table/number.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -40,6 +41,25 @@ bool join_groups(std::string_view& rest, char decimal, std::string& plain, Numbe
   style.grouped = true;
   style.doubtful = groups == 1 && (sign == "," || sign == ".") && !rest.starts_with(decimal);
   return true;
+}
+
+/// A quick look at its first byte, which is beyond ASCII for a typographic minus.
+bool may_be_a_number(std::string_view text) {
+  return !text.empty() && (is_digit(text[0]) || std::string_view("+-.,iInN").find(text[0]) != std::string_view::npos ||
+                           static_cast<unsigned char>(text[0]) >= 0x80);
+}
+
+/// Reads a number with a decimal comma and without groups, as most are.
+bool parse_plain_comma(std::string_view text, double& value) {
+  std::array<char, 32> pointed;
+  if (text.size() > pointed.size()) return false;
+  bool comma = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '.') return false;
+    pointed[i] = text[i] == ',' && !comma ? '.' : text[i];
+    comma |= text[i] == ',';
+  }
+  return parse_number(std::string_view(pointed.data(), text.size()), value);
 }
 
 /// Removes a pattern from the front of a text: each run of 'd' matches the digits of a number, other characters match
@@ -83,7 +103,8 @@ bool parse_with_digits(std::string_view text, char decimal, double& value, doubl
 
 bool parse_number(std::string_view text, char decimal, double& value, NumberStyle* style) {
   text = trim(text);
-  if (decimal == '.' && parse_number(text, value)) {
+  if (!may_be_a_number(text)) return false;
+  if (decimal == '.' ? parse_number(text, value) : parse_plain_comma(text, value)) {
     if (style) *style = {};
     return true;
   }
@@ -104,6 +125,8 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
     plain = sign;
     rest = unsigned_text;
     found = {};
+    if (decimal == '.' && sign.size() + rest.size() == text.size() && rest.find_first_of("Dd") == std::string::npos)
+      return false;  // nothing differs from what was tried
   }
   if (decimal != '.' && rest.find('.') != std::string_view::npos) return false;
   const std::size_t before = plain.size();
@@ -119,7 +142,7 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
 
 bool is_number(std::string_view field) {
   double value = 0, error = 0;
-  if (trim(field).empty()) return false;
+  if (!may_be_a_number(trim(field))) return false;
   return parse_number(field, '.', value) || parse_number(field, ',', value) ||
          parse_with_error(field, '.', value, error) || parse_with_error(field, ',', value, error);
 }

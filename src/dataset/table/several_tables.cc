@@ -138,7 +138,6 @@ class TableParts {
 
 /// Whether half of the headings, or two, have a known name or a unit.
 bool are_known(const std::vector<Heading>& headings, const ColumnRules& rules) {
-  const Vocabulary& vocabulary = rules.names ? *rules.names : Vocabulary::shipped();
   std::size_t filled = 0, known = 0;
   for (std::size_t i = 0; i < headings.size(); ++i) {
     const Heading& heading = headings[i];
@@ -146,8 +145,9 @@ bool are_known(const std::vector<Heading>& headings, const ColumnRules& rules) {
     const bool mapped = std::any_of(rules.mapping.begin(), rules.mapping.end(), [&](const auto& one) {
       return folded(split_heading(one.second, {}).name) == folded(heading.name);
     });
-    known += !heading.text.empty() && (mapped || column_named(heading.name) || vocabulary.find(heading.name) ||
-                                       vocabulary.read(heading, i) || (heading.unit && parse_unit(*heading.unit)));
+    known +=
+        !heading.text.empty() && (mapped || column_named(heading.name) || rules.known_names().find(heading.name) ||
+                                  rules.known_names().read(heading, i) || (heading.unit && parse_unit(*heading.unit)));
   }
   return known >= 2 || 2 * known >= filled;
 }
@@ -158,8 +158,7 @@ RowForm::RowForm(const CsvRow& row)
     : begins_with_words(mixity::begins_with_words(row)), numbers(count_numbers(row)), fields(row.size()) {}
 
 bool is_title(const CsvRow& line, const RowForm& rows) {
-  const RowForm form(line);
-  return form.begins_with_words && !rows.begins_with_words && form.numbers < rows.numbers;
+  return !rows.begins_with_words && begins_with_words(line) && count_numbers(line) < rows.numbers;
 }
 
 std::vector<ListedTable> list_tables(std::string_view text, std::size_t first_line, const ListingRules& rules) {
@@ -179,11 +178,14 @@ std::vector<ListedTable> list_tables(std::string_view text, std::size_t first_li
     if (part.has_headings) {
       const std::size_t end = k + 1 < found.size() ? found[k + 1].offset : text.size();
       std::optional<Table> table;
-      try {
-        table = find_table(rules.path, text.substr(part.offset, end - part.offset), rules.format.line_end,
-                           rules.columns, rules.decimal);
-      } catch (const InputError&) {  // of its units: its rows will not be understood
-      }
+      if (rules.whole && found.size() == 1 && part.offset == 0)
+        table = *rules.whole;
+      else
+        try {
+          table = find_table(rules.path, text.substr(part.offset, end - part.offset), rules.format.line_end,
+                             rules.columns, rules.decimal);
+        } catch (const InputError&) {  // of its units: its rows will not be understood
+        }
       if (!table) continue;
       const std::size_t before = part.line - 1;
       table->offset += part.offset;

@@ -42,6 +42,7 @@ struct ListingRules {
   char decimal = 0;               // as it is stated, else 0
   std::optional<RowForm> rows{};  // of the table that goes on where the text begins; null: none does
   std::string title{};            // of that table
+  const Table* whole = nullptr;   // what find_table finds in the whole text, if that is known
 };
 
 /// The tables that begin in a text: lines of words with rows of as many numbers below them, which do not begin with

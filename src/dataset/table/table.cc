@@ -111,9 +111,9 @@ struct Candidate {
 std::optional<Candidate> guess(const std::string& path, std::string_view text, std::size_t first_line,
                                const CsvFormat& format, const ColumnRules& rules, char decimal) {
   const Lines lines = split_rows(text, first_line, format);
-  const std::size_t width = usual_width(lines);
-  if (width == 0) return std::nullopt;
-  const auto at = find_headings(path, lines, width, rules);
+  const NumberRows rows(lines);
+  if (rows.width == 0) return std::nullopt;
+  const auto at = find_headings(path, lines, rows, rules);
   if (!at) return std::nullopt;
   Candidate made;
   Table& table = made.table;
@@ -171,8 +171,9 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
   if (cut) text = text.substr(0, text.find_last_of("\r\n", kSearched) + 1);
   std::optional<Candidate> best;
   for (const char delimiter : delimiters) {
-    if (text.find_first_of(delimiter == kBlanks ? " \t" : std::string(1, delimiter)) == std::string_view::npos)
-      continue;
+    const bool is_there = text.find(delimiter) != std::string_view::npos ||
+                          (delimiter == kBlanks && text.find('\t') != std::string_view::npos);
+    if (!is_there) continue;
     if (delimiter == kBlanks && best && !best->columns.empty()) continue;  // any other separator explains more
     CsvFormat format;
     format.delimiter = delimiter;

@@ -52,7 +52,7 @@ TableRows::TableRows(const std::string& path, CsvFile& file, const Rules& rules)
 }
 
 void TableRows::choose(std::string_view start) {
-  const ListingRules listing{path_, table_->format, rules_.columns, table_->format.decimal};
+  const ListingRules listing{path_, table_->format, rules_.columns, table_->format.decimal, {}, {}, &*table_};
   if (start.size() > kListed) start = start.substr(0, start.find_last_of("\r\n", kListed) + 1);
   std::vector<ListedTable> found = list_tables(start, 1, listing);
   add_kinds(found, kinds_);

@@ -27,6 +27,15 @@ std::string read(const std::string& header, Overrides more = {},
   return error.empty() ? taken : error.substr(error.rfind(".csv:") + 5);
 }
 
+TEST(ColumnNames, AreFoldedInAsciiAsInUnicode) {
+  // A text with a letter beyond ASCII is folded by the tables of Unicode, another by itself.
+  std::string all;
+  for (char c = 1; c < 127; ++c) all += c;
+  for (const std::string& text : {all, std::string("Normal force F_N"), std::string("\0x", 2), std::string()})
+    EXPECT_EQ(folded(text + "\xC3\xA9"), folded(text) + "e");
+  EXPECT_EQ(sorted_words("Area of the contact contact"), "area contact");
+}
+
 TEST(ColumnNames, OfALogMayBeTheProgramsAndALaboratorysInOneFile) {
   const TemporaryFolder folder;
   for (const char* header : {"time [s],F_N [mN],F_T [mN],A [mm^2]", "time [s],P [mN],F_T [mN],A [mm^2]",

@@ -157,7 +157,7 @@ TEST(Csv, WhatIsNoCsvIsRefusedWithItsPlace) {
           {"a,b\n1,\"2\n3,4\n", ":2:1: a quote (\") is opened but not closed before the end of the file"},
           {"\"", ":1:1: a quote (\") is opened but not closed before the end of the file"},
           {"PK\x03\x04",
-           ": is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again"},
+           ": is a workbook or an archive that is damaged or incomplete; save or copy it again"},
           {"TDSm\x0E",
            ": is a TDMS file of LabVIEW; in Python mixity.read(\"FILE.tdms\") reads it, or export it as text: open it "
            "in "

@@ -144,7 +144,7 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
             "--columns=\"P=P (kgf)\"");
   EXPECT_EQ(
       error("PK\x03\x04..."),
-      "a.csv: is a workbook or an archive that is damaged or incomplete (Not a zip archive); save or copy it again");
+      "a.csv: is a workbook or an archive that is damaged or incomplete; save or copy it again");
 }
 
 TEST(Exports, WithAMappingThatCannotBeAreRefused) {

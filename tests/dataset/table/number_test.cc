@@ -65,6 +65,19 @@ TEST(Number, IsTheNearestDoubleInEverySpelling) {
   }
 }
 
+TEST(Number, BeginsWithADigitASignOrAName) {
+  for (const char* text : {"1", " 1", "-1", "+1", ".5", ",5", "-,5", "inf", "-inf", "NaN",
+                           "\xE2\x88\x92"
+                           "1",
+                           "1,234.5", "1'234", "1D3", "1,5D3", "0.61(5)", "0,61 \xC2\xB1 0,05"})
+    EXPECT_TRUE(is_number(text)) << text;
+  for (const char* text : {"", " ", "word", "P=5", "'1", "e5", "(5)",
+                           "\xC2\xB1"
+                           "5",
+                           "1;2", "1,2,3", "1.2.3", "+-5", "-+5", "1:2", "d5", "n", "i"})
+    EXPECT_FALSE(is_number(text)) << text;
+}
+
 TEST(Number, IsReadInEverySpellingOfATable) {
   for (const std::string text :
        {"1,a,b,2\n3,c,d,4\n", "1;a;b;2\n3;c;d;4\n", "1\ta\tb\t2\n3\tc\td\t4\n", "1,a,b,2\r\n3,c,d,4\r\n",

@@ -1,4 +1,4 @@
-// Workbooks (.xlsx) of given XML, zipped by libzip.
+// Workbooks (.xlsx) of given XML, zipped by minizip.
 #pragma once
 
 #include <zip.h>
@@ -21,16 +21,18 @@ using Parts = std::map<std::string, std::string>;
 inline std::string zipped(const Parts& parts, const char* password = nullptr) {
   const TemporaryFolder folder;
   const std::string path = folder.path("a.zip");
-  int error = 0;
-  zip_t* const archive = zip_open(path.c_str(), ZIP_CREATE, &error);
+  const zipFile archive = zipOpen64(path.c_str(), APPEND_STATUS_CREATE);
   if (!archive) throw std::runtime_error("no zip file");
   for (const auto& [name, text] : parts) {
-    zip_source_t* const source = zip_source_buffer(archive, text.data(), text.size(), 0);
-    const zip_int64_t at = zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
-    if (at < 0) throw std::runtime_error("no part of a zip file");
-    if (password) zip_file_set_encryption(archive, static_cast<zip_uint64_t>(at), ZIP_EM_AES_128, password);
+    const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
+    if (zipOpenNewFileInZip3(archive, name.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
+                             Z_DEFAULT_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL, Z_DEFAULT_STRATEGY, password,
+                             checksum) != ZIP_OK ||
+        zipWriteInFileInZip(archive, text.data(), static_cast<unsigned>(text.size())) != ZIP_OK ||
+        zipCloseFileInZip(archive) != ZIP_OK)
+      throw std::runtime_error("no part of a zip file");
   }
-  if (zip_close(archive) != 0) throw std::runtime_error("zip file not written");
+  if (zipClose(archive, nullptr) != ZIP_OK) throw std::runtime_error("zip file not written");
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
