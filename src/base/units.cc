@@ -21,18 +21,47 @@ struct Symbol {
 
 constexpr double kPi = 3.141592653589793;
 constexpr std::array kSymbols{
-    Symbol{"m", 1, dimension::length, true},         Symbol{"N", 1, dimension::force, true},
-    Symbol{"Pa", 1, dimension::stress, true},        Symbol{"J", 1, {1, 1, 0}, true},
-    Symbol{"rad", 1, dimension::angle, true},        Symbol{"deg", kPi / 180, dimension::angle, false},
-    Symbol{"°", kPi / 180, dimension::angle, false}, Symbol{"gf", 9.80665e-3, dimension::force, true},
-    Symbol{"kgf", 9.80665, dimension::force, false}, Symbol{"dyn", 1e-5, dimension::force, false},
-    Symbol{"erg", 1e-7, {1, 1, 0}, false},           Symbol{"bar", 1e5, dimension::stress, false},
-    Symbol{"Newton", 1, dimension::force, false},    Symbol{"Newtons", 1, dimension::force, false},
-    Symbol{"s", 1, dimension::time, true},           Symbol{"sec", 1, dimension::time, false},
-    Symbol{"min", 60, dimension::time, false},       Symbol{"Hz", 1, dimension::frequency, true},
-    Symbol{"px", 1, {0, 0, 0, 0, 1}, false},         Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},
-    Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},     Symbol{"Pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"m", 1, dimension::length, true},
+    Symbol{"N", 1, dimension::force, true},
+    Symbol{"Pa", 1, dimension::stress, true},
+    Symbol{"J", 1, {1, 1, 0}, true},
+    Symbol{"rad", 1, dimension::angle, true},
+    Symbol{"deg", kPi / 180, dimension::angle, false},
+    Symbol{"°", kPi / 180, dimension::angle, false},
+    Symbol{"gf", 9.80665e-3, dimension::force, true},
+    Symbol{"kgf", 9.80665, dimension::force, false},
+    Symbol{"dyn", 1e-5, dimension::force, false},
+    Symbol{"erg", 1e-7, {1, 1, 0}, false},
+    Symbol{"bar", 1e5, dimension::stress, false},
+    Symbol{"newton", 1, dimension::force, false},
+    Symbol{"newtons", 1, dimension::force, false},
+    Symbol{"gF", 9.80665e-3, dimension::force, true},
+    Symbol{"micron", 1e-6, dimension::length, false},
+    Symbol{"microns", 1e-6, dimension::length, false},
+    Symbol{"s", 1, dimension::time, true},
+    Symbol{"sec", 1, dimension::time, false},
+    Symbol{"secs", 1, dimension::time, false},
+    Symbol{"second", 1, dimension::time, false},
+    Symbol{"seconds", 1, dimension::time, false},
+    Symbol{"msec", 1e-3, dimension::time, false},
+    Symbol{"min", 60, dimension::time, false},
+    Symbol{"秒", 1, dimension::time, false},
+    Symbol{"Hz", 1, dimension::frequency, true},
+    Symbol{"px", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"pixel", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"pixels", 1, {0, 0, 0, 0, 1}, false},
+    Symbol{"㎜", 1e-3, dimension::length, false},
+    Symbol{"㎛", 1e-6, dimension::length, false},
+    Symbol{"㎟", 1e-6, dimension::area, false},
+    Symbol{"㎠", 1e-4, dimension::area, false},
 };
+
+/// A unit's name of three letters or more is the same word in any case: "Sec", "NEWTON"; not "Min", a minimum.
+bool is_word(std::string_view text, std::string_view name) {
+  const auto lower = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
+  return name.size() > 2 && name != "min" && text.size() == name.size() &&
+         std::equal(text.begin(), text.end(), name.begin(), [&](char one, char other) { return lower(one) == other; });
+}
 
 struct Prefix {
   std::string_view name;
@@ -52,7 +81,7 @@ bool take(std::string_view& text, std::string_view start) {
 /// One factor of a unit without its power: "mN", "Pa".
 std::optional<Unit> parse_symbol(std::string_view text) {
   for (const Symbol& symbol : kSymbols)
-    if (symbol.name == text) return Unit{symbol.factor, symbol.dimension, {}};
+    if (symbol.name == text || is_word(text, symbol.name)) return Unit{symbol.factor, symbol.dimension, {}};
   for (const Prefix& prefix : kPrefixes)
     for (const Symbol& symbol : kSymbols)
       if (symbol.takes_prefix && text.starts_with(prefix.name) && text.substr(prefix.name.size()) == symbol.name)

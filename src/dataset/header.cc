@@ -4,6 +4,7 @@
 
 #include "base/input_error.h"
 #include "dataset/point_reader.h"
+#include "dataset/table/column_advice.h"
 #include "dataset/table/number.h"
 #include "mechanics/contact.h"
 

@@ -58,7 +58,9 @@ class Minima {
  private:
   bool are_one(const Minimum& one, const Minimum& other) const {
     for (std::size_t k = 0; k < one.x.size(); ++k) {
-      const double scale = std::max(std::abs(one.x[k]), problem_.parameters()[k].least_size());
+      const FreeParameter& parameter = problem_.parameters()[k];
+      // a value near zero is judged by the error that it is stated with
+      const double scale = std::max({std::abs(one.x[k]), parameter.least_size(), parameter.prior});
       if (std::abs(one.x[k] - other.x[k]) > options_.same_minimum * scale) return false;
     }
     return true;

@@ -132,6 +132,21 @@ TEST_P(Findings, AnotherMinimumFitsAsWell) {
   EXPECT_NE(verdict.message.find("within the scatter: x = "), std::string::npos);
 }
 
+/// A constant that is known to be zero within 1 does not have two values because they are -1e-8 and 1e-8.
+TEST_P(Findings, MinimaWithinAShareOfAStatedErrorAreOne) {
+  for (const double prior : {0.0, 1.0}) {
+    FreeParameter y = unbounded("y", 0);
+    y.prior = prior;
+    const auto problem = problem_of<2>(8, {{"x", 0, 2}, y}, {}, [](const auto* b, std::size_t i) {
+      const auto shared = 1e16 * b[1] * b[1] - 1.0;
+      return i % 4 < 2 ? b[0] - 1.0 + 0.1 * sign(i) : shared + 0.1 * sign(i);
+    });
+    const Verdict verdict = judge(problem, {.near = {1, 1e-8}, .guesses = {{1, -1e-8}}});
+    EXPECT_EQ(verdict.status, prior > 0 ? FitStatus::ok : FitStatus::multimodal) << text(verdict);
+    EXPECT_NEAR(std::abs(verdict.best.x[1]), 1e-8, 1e-12);
+  }
+}
+
 TEST_P(Findings, AWorseMinimumIsOnlyNamed) {
   const auto problem = problem_of<1>(4, {{"x", -2, 2}}, {}, [](const auto* b, std::size_t i) {
     return b[0] * b[0] - 1.0 + 0.2 * b[0] * static_cast<double>(i) + 0.001 * sign(i) - 0.2 * static_cast<double>(i);

@@ -7,6 +7,8 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/logs/stated_rate.h"
+#include "dataset/table/column_advice.h"
+#include "dataset/table/vocabulary.h"
 #include "statistics/readings.h"
 
 namespace mixity {
@@ -47,6 +49,15 @@ std::optional<double> LogClock::stated(bool by_frames) {
   return found->rate;
 }
 
+/// How to say which column holds the times: the only one with a unit of time, or any.
+Remedy LogClock::time_column() const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < table_.headings.size(); ++i)
+    if (const auto& unit = table_.headings[i].unit; unit && unit_fits(unit, ColumnId::time)) found.push_back(i);
+  return found.size() == 1 ? mapping(ColumnId::time, table_.headings, found[0])
+                           : Remedy::set("columns", "time=HEADING (s)");
+}
+
 /// Counts frames, or rows. Throws if their rate is not known.
 void LogClock::count_by_rate(bool column_is_empty) {
   if (column_is_empty) {
@@ -65,7 +76,7 @@ void LogClock::count_by_rate(bool column_is_empty) {
             "' counts frames or rows: say how many a " + "second: " + (areas_ ? by_frames : by_rate);
   else
     text += "; state the rate of the rows, such as " + (areas_ && !forces_ ? by_frames : by_rate);
-  if (!column_is_empty) text += ", or which column it is: " + Remedy::set("columns", "time=HEADING (s)");
+  if (!column_is_empty) text += ", or which column it is: " + time_column();
   if (!not_taken_.empty()) text += "; " + not_taken_ + ", is not taken for it";
   throw InputError(path_, table_.header_line, 1, text);
 }

@@ -50,6 +50,7 @@ class LogClock {
   bool starts_anew(double time) const;
   bool goes_on(double time) const;
   std::optional<double> stated(bool by_frames);
+  Remedy time_column() const;
 
   const std::string& path_;
   const Table& table_;

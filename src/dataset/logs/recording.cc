@@ -11,6 +11,7 @@
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/table/table_rows.h"
+#include "dataset/table/vocabulary.h"
 #include "statistics/readings.h"
 
 namespace mixity {
@@ -172,8 +173,15 @@ class LogReader : public UseOfRows {
     recording_.area_unit = area && !pixels ? area->unit.text : "mm^2";
     recording_.area_factor = area && !pixels ? area->unit.factor : 1e-6;
     const auto fail = [&](const Message& message) { throw InputError(recording_.path, table.header_line, 1, message); };
-    if (!has(T) && !has(A) && !lengths()) fail("neither T nor A is there");
-    if (has(T) && !has(P) && !metadata_.load) fail("column 'P' is missing, and no load is stated");
+    if (!has(T) && !has(A) && !lengths())
+      fail("neither T nor A is there" +
+           columns.advice(columns.missing_loads(metadata_.load.has_value()), table.headings));
+    if (has(T) && !has(P) && !metadata_.load)
+      fail("column 'P' is missing, and no load is stated" + columns.advice({P}, table.headings));
+    if (!has(A) && !lengths() && std::any_of(table.headings.begin(), table.headings.end(), [](const Heading& one) {
+          return one.unit && unit_fits(one.unit, A);
+        }))
+      recording_.advice = columns.advice({A}, table.headings);
   }
 
   const Channel* channel(ColumnId id) const {

@@ -49,7 +49,7 @@ bool is_complete(const Recording& one) { return one.holds_forces() && one.holds_
 void add_pair(Recordings& one, Recordings& other, std::vector<Recordings>& logs) {
   Recordings &forces = one[0].holds_forces() ? one : other, &areas = one[0].holds_forces() ? other : one;
   if (!forces[0].holds_forces()) throw InputError(other[0].path, "holds no forces, and neither does " + one[0].path);
-  if (!areas[0].holds_areas()) throw InputError(areas[0].path, "holds no areas");
+  if (!areas[0].holds_areas()) throw InputError(areas[0].path, "holds no areas" + areas[0].advice);
   if (forces.size() != areas.size())
     throw InputError(forces[0].path, "has " + std::to_string(forces.size()) + " logs, as its clock starts anew, and " +
                                          areas[0].path + " has " + std::to_string(areas.size()));
@@ -74,7 +74,8 @@ std::vector<Recordings> logs_of(std::vector<Recordings> files) {
     const Recording& first = files[k].front();
     if (k + 1 == files.size())
       throw InputError(first.path, std::string("holds no ") + (first.holds_forces() ? "areas" : "forces") +
-                                       "; name the file that does, too: mixity runs FORCES.csv AREAS.csv");
+                                       first.advice + (first.advice.empty() ? "; " : "; if it is none of these, ") +
+                                       "name the file that does, too: mixity runs FORCES.csv AREAS.csv");
     add_pair(files[k], files[k + 1], logs);
     k += 2;
   }

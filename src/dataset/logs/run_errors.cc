@@ -18,12 +18,34 @@ double noise_of_runs(const LoadingRuns& found) {
 }
 
 /// Smooths by local lines: a held load and the response to slow shear are nearly straight for about a second.
-std::vector<double> smoothed(const std::vector<double>& values) {
-  constexpr std::size_t kAround = 25;
+std::vector<double> smoothed(const std::vector<double>& values, std::size_t around = 25) {
   std::vector<double> course;
   for (std::size_t i = 0; i < values.size(); ++i)
-    course.push_back(line_through(values, i - std::min(i, kAround), std::min(values.size(), i + kAround + 1)).at(i));
+    course.push_back(line_through(values, i - std::min(i, around), std::min(values.size(), i + around + 1)).at(i));
   return course;
+}
+
+/// The course of a held load: constant, a line, or local lines, by BIC. Lines shorter than the load asks for would
+/// follow its noise, which neighbouring points then share.
+std::vector<double> course_of_load(const std::vector<double>& P) {
+  const std::size_t n = P.size();
+  std::vector<double> best(n, mean_of(P, 0, n));
+  const auto badness = [&](const std::vector<double>& course, double parameters) {
+    double squares = 0;
+    for (std::size_t i = 0; i < n; ++i) squares += (P[i] - course[i]) * (P[i] - course[i]);
+    return static_cast<double>(n) * std::log(squares) + parameters * std::log(static_cast<double>(n));
+  };
+  double least = badness(best, 1);
+  for (std::size_t around = n; around >= 25; around /= 2) {
+    std::vector<double> course = smoothed(P, around);
+    // each local line has two parameters
+    const double lines = std::max(1.0, static_cast<double>(n) / static_cast<double>(2 * around + 1));
+    if (const double bad = badness(course, 2 * lines); bad < least) {
+      least = bad;
+      best = std::move(course);
+    }
+  }
+  return best;
 }
 
 /// Fits a line to the baselines over time.
@@ -67,7 +89,7 @@ void subtract_drift(LoadingRuns& found) {
 void finish(const Frames& frames, LoadingRun& run) {
   for (std::size_t i = run.begin; i < run.end; ++i) run.T.push_back(run.direction * frames.T[i] - run.baseline);
   const std::vector<double> P = part_of(frames.P, run.begin, run.end);
-  run.smooth_P = smoothed(P);
+  run.smooth_P = course_of_load(P);
   run.P = mean_of(P, 0, P.size());
   double squares = 0;
   for (const double one : P) squares += (one - run.P) * (one - run.P);

@@ -6,11 +6,10 @@
 #include "base/input_error.h"
 #include "base/text.h"
 #include "dataset/table/channel_clocks.h"
+#include "dataset/table/column_advice.h"
 
 namespace mixity {
 namespace {
-
-std::string name_of(ColumnId id) { return std::string(to_string(id)); }
 
 /// "Kanal 3 (mN)" names a heading with or without its unit, "3" the third. Null if there is none. Throws if there are
 /// two.
@@ -130,6 +129,17 @@ class Names {
         columns_.push_back({ColumnId::time, i, headings_[i]});
   }
 
+  /// "Zeit  1 - Standardmessrate (s)": the only column of times, whose name has other words, too.
+  void add_time_with_other_words() {
+    if (!rules_.log || find(ColumnId::time) || is_mapped(ColumnId::time)) return;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < headings_.size(); ++i)
+      if (!at(i) && headings_[i].unit && unit_fits(headings_[i].unit, ColumnId::time) &&
+          has_word_of_time(headings_[i].name, rules_.known_names()))
+        found.push_back(i);
+    if (found.size() == 1) columns_.push_back({ColumnId::time, found[0], headings_[found[0]]});
+  }
+
   /// If the set is complete, adds only optional columns.
   void add_by_vocabulary() {
     const bool complete = is_complete();
@@ -218,6 +228,15 @@ class Names {
   }
 
  private:
+  static bool has_word_of_time(std::string_view name, const Vocabulary& vocabulary) {
+    constexpr std::string_view kBetween = " _-.:/,";
+    for (std::size_t at = 0; at < name.size();) {
+      const std::size_t end = std::min(name.find_first_of(kBetween, at), name.size());
+      if (end > at + 1 && vocabulary.find(name.substr(at, end - at)) == ColumnId::time) return true;
+      at = end + 1;
+    }
+    return false;
+  }
   static bool is_time_called_T(const Heading& heading) {
     const auto unit = (heading.name == "T" || heading.name.ends_with(".T")) && heading.unit ? parse_unit(*heading.unit)
                                                                                             : std::nullopt;
@@ -282,29 +301,7 @@ class Names {
   std::vector<NamedColumn> columns_;
 };
 
-/// The heading, with or without its unit; its number if a mapping would not understand the heading.
-std::string column_in_mapping(const std::vector<Heading>& headings, std::size_t index, bool with_unit) {
-  constexpr std::size_t kLongest = 40;
-  const Heading& heading = headings[index];
-  const bool is_unique = std::count_if(headings.begin(), headings.end(), [&](const Heading& other) {
-                           return other.text == heading.text || folded(other.name) == folded(heading.name);
-                         }) == 1;
-  const bool plain = is_unique && heading.closed && !heading.name.empty() && heading.text.size() <= kLongest &&
-                     heading.text.find_first_of("\",=") == std::string::npos && printable(heading.text) == heading.text;
-  return !plain ? std::to_string(index + 1) : with_unit ? heading.text : heading.name;
-}
-
 }  // namespace
-
-Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
-  const bool fits = unit_fits(headings[index].unit, id);
-  return Remedy::set("columns", name_of(id) + "=" + column_in_mapping(headings, index, fits) + (fits ? "" : " (UNIT)"));
-}
-
-std::string mapping_with(const std::string& unit, ColumnId id, const std::vector<Heading>& headings,
-                         std::size_t index) {
-  return name_of(id) + "=" + column_in_mapping(headings, index, false) + " (" + unit + ")";
-}
 
 std::string mapped_as(const NamedColumn& column, const std::vector<Heading>& headings) {
   const std::string& text = headings[column.index].text;
@@ -330,8 +327,11 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   names.add_mapped();
   names.add_own_names();
   names.add_times_called_T();
-  if (rules.vocabulary) names.add_by_vocabulary();
-  if (rules.vocabulary) names.add_misfits();
+  if (rules.vocabulary) {
+    names.add_by_vocabulary();
+    names.add_time_with_other_words();
+    names.add_misfits();
+  }
   names.drop_redundant_sizes();
   names.take_clock_of_channels();
   return std::move(names).sorted();

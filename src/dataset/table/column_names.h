@@ -42,13 +42,8 @@ std::vector<ColumnId> mapped_in(const std::vector<Heading>& headings, const Colu
 std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,
                                         const ColumnRules& rules);
 
-/// The mapping of a column to a quantity, as in --columns="P=Load (mN)". It uses the column's number if its heading
-/// would not be understood there, and UNIT as a placeholder if the unit of the heading is unknown or does not fit.
-Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index);
 /// The heading and unit of a named column as a mapping finds it in another table with these headings; its number and
 /// unit if no heading would be understood.
 std::string mapped_as(const NamedColumn& column, const std::vector<Heading>& headings);
-/// One entry of a mapping, "P=Load (mN)", with a unit that the heading lacks.
-std::string mapping_with(const std::string& unit, ColumnId id, const std::vector<Heading>& headings, std::size_t index);
 
 }  // namespace mixity

@@ -6,6 +6,7 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "dataset/table/column_advice.h"
 #include "dataset/table/number.h"
 
 namespace mixity {
@@ -172,6 +173,22 @@ void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::
   }
 }
 
+std::vector<ColumnId> Columns::missing_loads(bool load_stated) const {
+  using enum ColumnId;
+  std::vector<ColumnId> missing;
+  if (!has(P) && !load_stated) missing.push_back(P);
+  if (!has(T)) missing.push_back(T);
+  if (!has(A) && !lengths()) missing.push_back(A);
+  return missing;
+}
+
+Message Columns::advice(const std::vector<ColumnId>& missing, const std::vector<Heading>& headings) const {
+  std::vector<bool> used(headings.size());
+  for (const std::optional<Column>& column : by_id)
+    if (column) used[column->index] = true;
+  return advice_on_missing(missing, headings, used);
+}
+
 void Columns::require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                                      const ColumnRules& rules) const {
   using enum ColumnId;
@@ -180,23 +197,11 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   const bool toughness = has(psi) || has(mode_ratio) || has(Gc) || has(Gc_over_GIc);
   const bool energies = has(G_I) || has(G_II);
   const auto fail = [&](const std::string& message, std::optional<ColumnId> missing = {}, const Message& tail = {}) {
-    const ColumnId wanted = missing.value_or(P);
-    std::string others;
-    std::vector<std::size_t> fitting;  // unknown columns with a unit that fits
-    for (std::size_t i = 0; rules.vocabulary && i < headings.size(); ++i) {
-      if (headings[i].name.empty() ||
-          std::any_of(by_id.begin(), by_id.end(), [&](const auto& column) { return column && column->index == i; }))
-        continue;
-      others += (others.empty() ? "'" : ", '") + printable(headings[i].text, 40) + "'";
-      if (headings[i].unit && unit_fits(headings[i].unit, wanted)) fitting.push_back(i);
-    }
-    // if P and T are both unknown, a force may be either
-    const bool one = fitting.size() == 1 && (kind_of(wanted).dimension != dimension::force || has(wanted == T ? P : T));
-    const std::string name(to_string(wanted));
-    Message text = message;
-    if (!others.empty())
-      text += "; not understood: " + others + ". To say which column is " + name + ": " +
-              (one ? mapping(wanted, headings, fitting[0]) : Remedy::set("columns", name + "=HEADING (UNIT)"));
+    const bool load = !missing || *missing == P || *missing == T || *missing == A;
+    const Message text =
+        rules.vocabulary
+            ? message + advice(load ? missing_loads(rules.load_stated) : std::vector<ColumnId>{*missing}, headings)
+            : Message(message);
     if (missing) throw MissingColumn(path, headings.at(0).place.line, 1, text + tail);
     throw InputError(path, headings.at(0).place.line, 1, text);
   };

@@ -45,6 +45,10 @@ struct Columns {
   const ContactLengths* lengths() const {
     return contact_lengths([&](ColumnId id) { return has(id); });
   }
+  /// Those of P, T and A that the table lacks.
+  std::vector<ColumnId> missing_loads(bool load_stated) const;
+  /// How to say which columns they are; see advice_on_missing.
+  Message advice(const std::vector<ColumnId>& missing, const std::vector<Heading>& headings) const;
 
   std::array<std::optional<Column>, kColumnCount> by_id;
   std::size_t count = 0;             // fields in the header, up to the last with a name

@@ -35,10 +35,43 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+unsigned char byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
+
+/// Most characters of Japanese begin with a byte of 0x81..0x9F, which in Western texts is a quotation mark or a dash.
+bool is_shift_jis(std::string_view text) {
+  std::size_t pairs = 0, others = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char lead = byte_at(text, i);
+    if (lead < 0x80) continue;
+    const bool single = lead >= 0xA1 && lead <= 0xDF;  // half-width letters
+    const bool common = lead > 0x80 && lead < 0xA0;
+    if (!single && !common && !(lead >= 0xE0 && lead <= 0xFC)) return false;
+    ++(common ? pairs : others);
+    if (single || ++i == text.size()) continue;
+    const unsigned char trail = byte_at(text, i);
+    if (trail < 0x40 || trail == 0x7F || trail > 0xFC) return false;
+  }
+  return pairs > 1 && pairs > others;
+}
+
+/// Bytes above 0x7F stand in pairs, and somewhere two pairs or more stand together.
+bool is_chinese(std::string_view text) {
+  constexpr unsigned char kFirst = 0xA1, kLast = 0xFE;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t begin = i;
+    for (; i < text.size() && byte_at(text, i) >= 0x80; ++i)
+      if (byte_at(text, i) < kFirst || byte_at(text, i) > kLast) return false;
+    if ((i - begin) % 2 == 1 && i < text.size()) return false;
+    longest = std::max(longest, i - begin);
+  }
+  return longest > 3;
+}
+
 }  // namespace
 
 std::string_view to_string(Encoding encoding) {
-  constexpr std::array<std::string_view, 4> kNames{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252"};
+  constexpr std::array<std::string_view, 6> kNames{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252", "CP932", "GB18030"};
   return kNames[static_cast<std::size_t>(encoding)];
 }
 
@@ -49,7 +82,8 @@ Encoding detect_encoding(std::string_view& start) {
   const auto nul = [&](std::size_t i) { return start[i] == '\0'; };
   if (start.size() > 3 && nul(0) != nul(1) && nul(2) == nul(0) && nul(3) == nul(1))
     return nul(0) ? Encoding::utf16_be : Encoding::utf16_le;
-  return is_utf8(start) ? Encoding::utf8 : Encoding::windows_1252;
+  if (is_utf8(start)) return Encoding::utf8;
+  return is_shift_jis(start) ? Encoding::shift_jis : is_chinese(start) ? Encoding::gb18030 : Encoding::windows_1252;
 }
 
 Decoder::Decoder(Encoding from)

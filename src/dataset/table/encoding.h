@@ -8,13 +8,14 @@
 
 namespace mixity {
 
-enum class Encoding { utf8, utf16_le, utf16_be, windows_1252 };
-/// Such as "UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252".
+enum class Encoding { utf8, utf16_le, utf16_be, windows_1252, shift_jis, gb18030 };
+/// As iconv calls it: "UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252", "CP932", "GB18030".
 std::string_view to_string(Encoding encoding);
 
 /// Detects the encoding by the first bytes of a file, and removes its byte order mark. UTF-16 without a mark is
-/// recognised by its zero bytes. Everything else that is not UTF-8 is Windows-1252, which includes Latin-1. Letter
-/// frequencies are not used: they mistake a heading with one "²" for Windows-1250, one with "µ" for a code page of DOS.
+/// recognised by its zero bytes, Japanese Shift-JIS and Chinese GB18030 by their pairs of bytes. Everything else that
+/// is not UTF-8 is Windows-1252, which includes Latin-1. Letter frequencies are not used: they mistake a heading with
+/// one "²" for Windows-1250, one with "µ" for a code page of DOS.
 Encoding detect_encoding(std::string_view& start);
 
 /// Converts bytes to UTF-8 by iconv.

@@ -6,6 +6,7 @@
 
 #include "base/input_error.h"
 #include "base/text.h"
+#include "dataset/table/column_advice.h"
 #include "dataset/table/number.h"
 
 namespace mixity {

@@ -63,17 +63,18 @@ bool parse_plain_comma(std::string_view text, double& value) {
 }
 
 /// Removes a pattern from the front of a text: each run of 'd' matches the digits of a number, other characters match
-/// themselves. False if the text does not match.
+/// themselves. False, and nothing is changed, if the text does not match.
 bool take(std::string_view& text, std::string_view pattern, std::initializer_list<int*> numbers) {
   if (text.size() < pattern.size()) return false;
-  auto number = numbers.begin();
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
+  for (std::size_t i = 0; i < pattern.size(); ++i)
     if (pattern[i] != 'd' ? text[i] != pattern[i] : !is_digit(text[i])) return false;
+  for (int* number : numbers) *number = 0;
+  auto number = numbers.begin();
+  for (std::size_t i = 0; i < pattern.size(); ++i)
     if (pattern[i] != 'd')
       ++number;
     else
       **number = 10 * **number + (text[i] - '0');
-  }
   text.remove_prefix(pattern.size());
   return true;
 }
@@ -81,6 +82,36 @@ bool take(std::string_view& text, std::string_view pattern, std::initializer_lis
 bool take_one_of(std::string_view& text, std::string_view signs) {
   if (text.empty() || signs.find(text[0]) == std::string_view::npos) return false;
   text.remove_prefix(1);
+  return true;
+}
+
+/// Takes a date and what parts it from the time. 4/3/2026 may be in March or April: such a date only keeps its place.
+/// False if there is one that does not exist.
+bool take_date(std::string_view& text, ClockTime& time) {
+  int year = 0, month = 0, day = 0;
+  if (take(text, "dddd-dd-dd", {&year, &month, &day}) || take(text, "dddd/dd/dd", {&year, &month, &day}) ||
+      take(text, "dddd.dd.dd", {&year, &month, &day}) || take(text, "dd.dd.dddd", {&day, &month, &year})) {
+    using namespace std::chrono;
+    const year_month_day date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
+                              std::chrono::day{static_cast<unsigned>(day)}};
+    time.dated = true;
+    time.seconds = std::int64_t{86400} * sys_days{date}.time_since_epoch().count();
+    return date.ok() && take_one_of(text, "T ");
+  }
+  for (const std::string_view either : {"dd/dd/dddd", "d/dd/dddd", "dd/d/dddd", "d/d/dddd"})
+    if (take(text, either, {&day, &month, &year}))
+      return std::max(day, month) < 32 && std::min(day, month) < 13 && take_one_of(text, " ");
+  return true;
+}
+
+/// Hours as a clock of 24 hours has them, where "AM" or "PM" stands behind the time.
+bool take_half_of_day(std::string_view& text, int& hours) {
+  for (const std::string_view half : {" AM", " PM", " am", " pm", " a.m.", " p.m."}) {
+    if (!text.ends_with(half)) continue;
+    text.remove_suffix(half.size());
+    if (hours < 1 || hours > 12) return false;
+    hours = hours % 12 + (half[1] == 'P' || half[1] == 'p' ? 12 : 0);
+  }
   return true;
 }
 
@@ -176,22 +207,14 @@ bool is_missing(std::string_view text) {
 std::optional<ClockTime> parse_clock(std::string_view text) {
   text = trim(text);
   ClockTime time;
-  if (text.size() > 10 && text[4] == '-') {
-    int year = 0, month = 0, day = 0;
-    if (!take(text, "dddd-dd-dd", {&year, &month, &day}) || !take_one_of(text, "T ")) return std::nullopt;
-    using namespace std::chrono;
-    const year_month_day date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
-                              std::chrono::day{static_cast<unsigned>(day)}};
-    if (!date.ok()) return std::nullopt;
-    time.dated = true;
-    time.seconds = std::int64_t{86400} * sys_days{date}.time_since_epoch().count();
-  }
+  if (!take_date(text, time)) return std::nullopt;
   int hours = 0, minutes = 0, seconds = 0;
-  if (!take(text, text.find(':') == 1 ? "d:dd:dd" : "dd:dd:dd", {&hours, &minutes, &seconds}) || hours > 23 ||
-      minutes > 59 || seconds > 59)
+  if (!take(text, text.find(':') == 1 ? "d:dd:dd" : "dd:dd:dd", {&hours, &minutes, &seconds}) ||
+      !take_half_of_day(text, hours) || hours > 23 || minutes > 59 || seconds > 59)
     return std::nullopt;
   time.seconds += 3600 * hours + 60 * minutes + seconds;
-  if (take_one_of(text, ".,")) {
+  const bool thousandths = text.size() == 4 && text[0] == ':';  // "10:05:00:250"
+  if (take_one_of(text, thousandths ? ":" : ".,")) {
     std::string digits = "0.";
     for (; !text.empty() && is_digit(text[0]); text.remove_prefix(1)) digits += text[0];
     if (digits.size() == 2 || !parse_number(digits, time.fraction)) return std::nullopt;

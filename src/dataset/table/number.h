@@ -35,8 +35,9 @@ struct ClockTime {
   double fraction = 0;       // of a second
 };
 
-/// Reads "10:05:00.000", or a date and time of ISO 8601: "2026-05-01T10:05:00,5Z", "2026-05-01 10:05:00+02:00". Null
-/// for anything else.
+/// Reads "10:05:00.000", "10:05:00:250" or "1:05:00 PM", alone or behind a date: "2026-05-01T10:05:00,5Z" and
+/// "2026-05-01 10:05:00+02:00" as in ISO 8601, "2026/05/01 ...", "01.05.2026 ...". The date of "5/1/2026 10:05:00",
+/// whose month is uncertain, is not used. Null for anything else.
 std::optional<ClockTime> parse_clock(std::string_view text);
 
 }  // namespace mixity

@@ -26,6 +26,24 @@ Vocabulary Vocabulary::with(const std::string& path, Inputs& inputs) {
   return vocabulary;
 }
 
+namespace {
+
+/// "CH1 Normal load", "Kanal 3: Fx" or "AI0_Fx" without the channel of a recorder; empty if none is named.
+std::string_view without_channel(std::string_view name) {
+  constexpr std::string_view kDigits = "0123456789", kSigns = " .:_-#";
+  const std::size_t number = name.find_first_of(kDigits);
+  if (number == std::string_view::npos || number == 0) return {};
+  const std::size_t behind = std::min(name.find_first_not_of(kDigits, number), name.size());
+  const std::size_t rest = name.find_first_not_of(kSigns, behind);
+  if (rest == std::string_view::npos || rest == behind) return {};
+  const std::string device = folded(name.substr(0, number));
+  for (const std::string_view known : {"ch", "chan", "channel", "kanal", "ai", "voie", "canal", "canale", "input"})
+    if (device == known) return name.substr(rest);
+  return {};
+}
+
+}  // namespace
+
 template <class TomlTable>
 void Vocabulary::add(const std::string& path, const TomlTable& table) {
   for (const auto& [key, lists] : table) {
@@ -108,6 +126,7 @@ std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) cons
   if (dot != std::string_view::npos && dot > 1 && name.find(' ') == std::string_view::npos &&
       std::find(std::begin(kNoDevices), std::end(kNoDevices), folded(name.substr(0, dot))) == std::end(kNoDevices))
     if (const auto of_device = own_or_found(name.substr(dot + 1))) return of_device;
+  if (const auto of_channel = find(without_channel(name))) return of_channel;
   const std::size_t behind = name.find_last_of(" ,");
   if (behind == std::string_view::npos) return std::nullopt;
   const auto first = find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));
@@ -131,13 +150,16 @@ std::optional<NamedColumn> Vocabulary::read(const Heading& heading, std::size_t 
     return named(without_brackets(heading.text), heading.unit);
   }
   std::string_view text = heading.text;
-  while (text.ends_with('_')) text.remove_suffix(1);  // MATLAB replaces a closing bracket by an underscore
-  for (const std::string_view sign : {"/", " in ", " en ", ",", "_", " "}) {
+  // MATLAB replaces a closing bracket by an underscore, R replaces both by dots: "Fn..mN."
+  while (text.ends_with('_') || text.ends_with('.')) text.remove_suffix(1);
+  for (const std::string_view sign : {"/", " in ", " en ", ",", "_", ".", " "}) {
     const std::size_t at = text.rfind(sign);
     if (at == std::string_view::npos || at == 0) continue;
     const std::string unit(without_brackets(text.substr(at + sign.size())));
     if (!parse_unit(unit) || parse_unit(unit)->text == "1") continue;
-    if (auto found = named(text.substr(0, at), unit)) return found;
+    std::string_view name = text.substr(0, at);
+    while (sign == "." && name.ends_with('.')) name.remove_suffix(1);
+    if (auto found = named(name, unit)) return found;
   }
   return std::nullopt;
 }

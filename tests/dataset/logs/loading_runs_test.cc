@@ -223,6 +223,22 @@ TEST(LoadingRuns, TakeTheirLoadOnItsCourse) {
   EXPECT_NEAR(run.smooth_P.back(), 8e-3 + 1.6e-4, 4 * 2 * 1e-4 / std::sqrt(20 * 26));
 }
 
+/// Neighbouring points share what is left of the noise of P: of a load that is held, only that of its mean.
+TEST(LoadingRuns, UnderAConstantLoadDoNotFollowItsNoise) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  Simulated made = simulate({2e-3, 8e-3}, {});
+  for (double& P : made.forces.P) P += 5e-4 * normal(random);
+  const LoadingRuns found = find(made, {}, {0.0});
+  for (const LoadingRun& run : found.runs) {
+    const auto [least, most] = std::minmax_element(run.smooth_P.begin(), run.smooth_P.end());
+    EXPECT_EQ(*least, *most);
+    // 5.1e-4 N of noise in a sample, 20 in a frame, and of the zero: four standard errors of the mean
+    EXPECT_NEAR(run.smooth_P[0], found.runs[0].name == run.name ? 2e-3 : 8e-3, 4 * 5.1e-4 / std::sqrt(20 * 200) * 1.4);
+  }
+  ASSERT_EQ(found.runs.size(), 2u);
+}
+
 TEST(LoadingRuns, ThatAreShearedTheOtherWayAreTurnedRound) {
   Conditions conditions;
   conditions.direction = -1;

@@ -50,6 +50,33 @@ TEST(Recordings, WithOtherTimesAreRefusedByTheNameOfTheirColumn) {
   EXPECT_EQ(error_of(header + "0,1,2,0.3\n1,x,2,0.3\n2,1,2,0.3\n"), "log.csv:3:3: column 'P': 'x' is not a number");
 }
 
+TEST(Recordings, MayHaveOtherWordsInTheNameOfTheirTimes) {
+  const std::string rows = "\tP\tT\tA\n%\tmN\tmN\tmm^2\n0\t1\t2\t0.3\n0.5\t1\t3\t0.3\n1\t1\t4\t0.2\n";
+  for (const auto& [name, unit] : {std::pair("Zeit  1 - Standardmessrate", "s"), std::pair("Time 1 - default", "Sec"),
+                                   std::pair("Log time, corrected", "s")}) {
+    std::string text = name + rows;
+    text.replace(text.find('%'), 1, unit);
+    EXPECT_EQ(read(text).time, (std::vector<double>{0, 0.5, 1})) << name;
+  }
+  // one of two is not chosen
+  EXPECT_NE(error_of("Zeit 1 [s],Zeit 2 [s],P [mN],T [mN],A [mm^2]\n0,0,1,2,0.3\n1,2,1,2,0.3\n2,4,1,2,0.3\n")
+                .find("which column it is: --columns=\"time=HEADING (s)\""),
+            std::string::npos);
+}
+
+TEST(Recordings, WithoutAQuantityNameTheColumnThatMayHoldIt) {
+  const std::string rows = "\n0,1,2,0.3\n1,1,2,0.3\n2,1,2,0.3\n";
+  EXPECT_EQ(error_of("Dauer A [s],P [mN],T [mN],A [mm^2]" + rows),
+            "log.csv:1:1: column 'time' is missing; state the rate of the rows, such as --rate=\"400 Hz\", or which "
+            "column it is: --columns=\"time=Dauer A [s]\"");
+  EXPECT_EQ(error_of("time [s],Kraft 1 [mN],Kraft 2 [mN],Patch [mm^2]" + rows),
+            "log.csv:1:1: neither T nor A is there; not understood: 'Kraft 1 [mN]', 'Kraft 2 [mN]', 'Patch [mm^2]'. To "
+            "say which columns are P, T and A: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=Patch [mm^2]\"");
+  EXPECT_EQ(error_of("time [s],Kraft 1 [mN],T [mN],A [mm^2]" + rows),
+            "log.csv:1:1: column 'P' is missing, and no load is stated; not understood: 'Kraft 1 [mN]'. To say which "
+            "column is P: --columns=\"P=Kraft 1 [mN]\"");
+}
+
 TEST(Recordings, OfLabVIEWHaveALabelBeforeTheirUnits) {
   const std::string lvm =
       "LabVIEW Measurement\t\n***End_of_Header***\t\nChannels\t3\t\t\nSamples\t3\t3\t3\n"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dataset/load_text.h"
 #include "dataset/logs/recording.h"
 
@@ -62,8 +64,8 @@ TEST(ColumnNames, WithAUnitThatIsNotKnownAreRefusedAndNotTakenForAnother) {
   EXPECT_EQ(read("Load (g),T [mN],A [mm^2]"),
             "1:1: 'Load (g)' may be P, but 'g' is not a force such as mN: it is a mass; if a weight is meant: "
             "--columns=\"P=Load (gf)\"");
-  EXPECT_EQ(read("P [mN],T [mN],Contact area (microns^2)"),
-            "1:15: 'Contact area (microns^2)' may be A, but 'microns^2' is not an area such as mm^2" + remedy +
+  EXPECT_EQ(read("P [mN],T [mN],Contact area (thou^2)"),
+            "1:15: 'Contact area (thou^2)' may be A, but 'thou^2' is not an area such as mm^2" + remedy +
                 "\"A=Contact area (UNIT)\"");
   EXPECT_EQ(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (mN)"}}), "P from 'Load (g)'");  // as stated
   EXPECT_NE(read("Load (g),T [mN],A [mm^2]", {{"columns", "P=Load (g)"}})
@@ -73,9 +75,14 @@ TEST(ColumnNames, WithAUnitThatIsNotKnownAreRefusedAndNotTakenForAnother) {
 }
 
 TEST(ColumnNames, WhichOfTwoForcesIsWhichIsNotGuessedByAHint) {
-  EXPECT_EQ(read("Kraft Fn [mN],Kraft Ft [mN],A [mm^2]"),
-            "1:1: column 'T' is missing; not understood: 'Kraft Fn [mN]', 'Kraft Ft [mN]'. To say which column is T: "
-            "--columns=\"T=HEADING (UNIT)\"");
+  EXPECT_EQ(
+      read("Kraft Fn [mN],Kraft Ft [mN],A [mm^2]"),
+      "1:1: column 'T' is missing; not understood: 'Kraft Fn [mN]', 'Kraft Ft [mN]'. To say which columns are P and "
+      "T: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT)\"");
+  EXPECT_EQ(read("Kraft Fn [mN],Kraft Ft [mN],Patch [mm^2]"),
+            "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
+            "Gc_over_GIc), or G_I and G_II; not understood: 'Kraft Fn [mN]', 'Kraft Ft [mN]', 'Patch [mm^2]'. To say "
+            "which columns are P, T and A: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=Patch [mm^2]\"");
   // one alone can be it, and the hint can be followed as it stands
   EXPECT_EQ(read("P [mN],Kraft Ft [mN],A [mm^2]"),
             "1:1: column 'T' is missing; not understood: 'Kraft Ft [mN]'. To say which column is T: "
@@ -85,6 +92,34 @@ TEST(ColumnNames, WhichOfTwoForcesIsWhichIsNotGuessedByAHint) {
   EXPECT_EQ(read("P [mN],\"Kraft, 2 [mN]\",A [mm^2]"),
             "1:1: column 'T' is missing; not understood: 'Kraft, 2 [mN]'. To say which column is T: "
             "--columns=\"T=2\"");
+  EXPECT_NE(read("\"Kraft, 1 [mN]\",\"Kraft, 2 [mN]\",A [mm^2]").find("--columns=\"P=NUMBER (UNIT),T=NUMBER (UNIT)\""),
+            std::string::npos);
+}
+
+/// Two for each quantity whose heading is taken for it.
+std::ptrdiff_t quotes_in(const std::string& taken) { return std::count(taken.begin(), taken.end(), '\''); }
+
+TEST(ColumnNames, MayNameTheChannelOfARecorder) {
+  for (const char* header : {"CH1 Normal load (mN),CH2 Friction force (mN),CH3 Contact area (mm2)",
+                             "Ch. 1: Fn [mN],Ch. 2: Ft [mN],Ch. 3: A [mm^2]", "AI0_Fz [mN],AI1_Fx [mN],AI2_area [mm^2]",
+                             "Kanal 1 - Normalkraft [mN],Kanal 2 - Reibkraft [mN],Kanal 3 - Kontaktfläche [mm²]"})
+    EXPECT_EQ(quotes_in(read(header)), 6) << header;
+  // a channel alone says nothing
+  EXPECT_NE(read("CH1 (mN),CH2 (mN),CH3 (mm^2)").find("--columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=CH3 (mm^2)\""),
+            std::string::npos);
+  EXPECT_NE(read("Max 1 Fn [mN],T [mN],A [mm^2]").find("column 'P' is missing"), std::string::npos);
+}
+
+TEST(ColumnNames, OfRHaveDotsForBrackets) {
+  for (const char* header :
+       {"Fn.mN,Ft.mN,A.mm2", "Fn..mN.,Ft..mN.,Area..mm2.", "Normal.force..mN.,Shear.force..mN.,Contact.area..mm2."})
+    EXPECT_EQ(read(header).find("missing"), std::string::npos) << read(header);
+}
+
+TEST(ColumnNames, AreKnownInJapaneseAndChinese) {
+  for (const char* header : {"垂直荷重 [mN],せん断力 [mN],接触面積 [mm²]", "法線力(mN),摩擦力(mN),接触面積(㎟)",
+                             "法向力 (mN),切向力 (mN),接触面积 (mm2)"})
+    EXPECT_EQ(quotes_in(read(header)), 6) << header;
 }
 
 TEST(ColumnNames, WhoseUnitIsOfAnotherKindAreNotTheQuantityWhereAnotherColumnIs) {

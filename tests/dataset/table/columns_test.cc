@@ -119,11 +119,11 @@ TEST(Columns, AHeaderThatCannotBeUsedIsRefusedWithItsPlace) {
   for (const auto& [header, error] : std::vector<std::pair<std::string, std::string>>{
            {"x,y",
             "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc "
-            "(or Gc_over_GIc), or G_I and G_II; not understood: 'x', 'y'. To say which column is P: "
-            "--columns=\"P=HEADING (UNIT)\""},
+            "(or Gc_over_GIc), or G_I and G_II; not understood: 'x', 'y'. To say which columns are P, T and A: "
+            "--columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=HEADING (UNIT)\""},
            {"p,t,area",
-            "1:1: column 'T' is missing; not understood: 'p', 't'. To say which column is T: "
-            "--columns=\"T=HEADING (UNIT)\""},
+            "1:1: column 'T' is missing; not understood: 'p', 't'. To say which columns are P and T: "
+            "--columns=\"P=HEADING (UNIT),T=HEADING (UNIT)\""},
            {"T,A",
             "1:1: column 'P' is missing; one normal load of all points is stated by --load=\"5 mN\", or the key load"},
            {"P,A", "1:1: column 'T' is missing"},

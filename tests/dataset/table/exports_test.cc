@@ -21,6 +21,20 @@ TEST(Exports, OfExcelInEurope) {
   expect_the_experiment(encoded(crlf, "WINDOWS-1252"));
 }
 
+/// Two bytes for a letter: instruments with Windows of Japan and China.
+TEST(Exports, OfEastAsia) {
+  const std::string japanese =
+                        "試験日,2021/06/02\n\"垂直力\",\"摩擦力\",\"接触面積\"\n\"mN\",\"mN\",\"mm2\"\n" + lines({}),
+                    chinese = "样品,硅橡胶\n法向力 (mN),摩擦力 (mN),接触面积 (mm2)\n" + lines({});
+  expect_the_experiment(japanese);
+  expect_the_experiment(encoded(japanese, "CP932"));
+  expect_the_experiment(encoded(chinese, "GB18030"));
+  // letters of Western Europe side by side, and signs that are parts of letters elsewhere
+  for (const char* title : {"Versuch „Größe“ – 5 °C ± 2", "créée le 3 février", "ÄÖÜ", "5 µm², déjà vu"})
+    expect_the_experiment(encoded(
+        std::string(title) + "\nNormalkraft (mN);Reibkraft (mN);Kontaktfläche (mm²)\n" + german(), "WINDOWS-1252"));
+}
+
 TEST(Exports, WithHeadingsInOtherLanguages) {
   for (const char* headings : {
            "Force normale (mN);Force tangentielle (mN);Aire de contact (mm²)",
