@@ -82,6 +82,7 @@ InputStream::InputStream(const std::string& path, Inputs& inputs)
     changed_ = state->changed;
   }
   content_ = std::make_shared<std::string>();
+  if (size_ && *size_ <= Inputs::kMostKept) content_->reserve(*size_);
 }
 
 void InputStream::read(std::size_t bytes, std::string& text) {

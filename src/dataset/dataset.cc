@@ -136,14 +136,6 @@ PointPlace PointPlaces::at(std::size_t i, double T) const {
   return {order, most > 0 ? std::pow(std::abs(T) / most, 2) : 0, !(point.shear() > kNoShear * most)};
 }
 
-std::vector<PointPlace> places(const Dataset& data) {
-  const PointPlaces of(data);
-  std::vector<PointPlace> list;
-  list.reserve(data.points.size());
-  for (std::size_t i = 0; i < data.points.size(); ++i) list.push_back(of.at(i));
-  return list;
-}
-
 Dataset corrected(Dataset data) {
   const ConstantsScale by(data.stated_constants());
   for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i] = data.corrected(i, by);

@@ -181,8 +181,6 @@ class PointPlaces {
   const Dataset& data_;
   std::vector<double> largest_;  // shear of each run
 };
-/// The places of all points.
-std::vector<PointPlace> places(const Dataset& data);
 
 /// The data set with readings corrected by the stated constants, and those constants removed.
 Dataset corrected(Dataset data);

@@ -118,9 +118,9 @@ void exclude(Dataset& data, const Exclusion& which) {
         reasons[i] = "its run is named in leave_out";
   }
   if (which.unsheared == Unsheared::out && data.has_loads) {
-    const std::vector<PointPlace> at = places(data);
-    for (std::size_t i = 0; i < at.size(); ++i)
-      if (at[i].unsheared) reasons[i] = "it is without shear (unsheared=out)";
+    const PointPlaces places(data);
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (places.at(i).unsheared) reasons[i] = "it is without shear (unsheared=out)";
   }
   exclude_points(reasons, data);
   if (data.points.empty()) throw InputError(data.path, "has no point left after exclude and leave_out");

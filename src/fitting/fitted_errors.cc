@@ -7,6 +7,7 @@
 #include "fitting/whitening.h"
 
 namespace mixity {
+
 std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used) {
   std::vector<double> some;
   if (all.empty()) return some;
@@ -15,19 +16,38 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
   return some;
 }
 
-void keep_places(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                 StandardErrors& errors) {
-  errors.place_T.resize(data.points.size());
-  errors.place_A.resize(data.points.size());
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    errors.place_T[used[i]] = nearest.T[i];
-    errors.place_A[used[i]] = nearest.A[i];
-  }
+namespace {
+
+/// Whether the points of a fit are all of `n`, in their order.
+bool are_all(std::span<const std::size_t> used, std::size_t n) {
+  bool all = used.size() == n;
+  for (std::size_t i = 0; all && i < n; ++i) all = used[i] == i;
+  return all;
 }
 
-double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+/// Sets the elements of `all` at these points. Takes the array itself if these are all: each counts with millions.
+void put(std::span<const std::size_t> used, std::vector<double>&& some, std::size_t n, double otherwise,
+         std::vector<double>& all) {
+  if (are_all(used, n)) {
+    all = std::move(some);
+    return;
+  }
+  all.resize(n, otherwise);
+  for (std::size_t i = 0; i < used.size(); ++i) all[used[i]] = some[i];
+}
+
+}  // namespace
+
+void keep_places(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
+                 StandardErrors& errors) {
+  put(used, std::move(nearest.T), data.points.size(), 0, errors.place_T);
+  put(used, std::move(nearest.A), data.points.size(), 0, errors.place_A);
+}
+
+double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
                        StandardErrors& errors) {
   double change = 0;
+  const bool all = are_all(used, data.points.size());
   const auto evaluate = [&](const std::optional<ErrorModel>& model, bool estimated, double step, double Point::*reading,
                             const std::vector<double>& at, double least, std::vector<double>& sigma) {
     if (!model) return;
@@ -37,25 +57,26 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, c
       const double factor = scaled ? errors.run_factors[data.points[point].curve] : 1;
       return std::max(std::hypot(factor * model->at(value), rounding), least);
     };
-    const std::vector<double> before = sigma;
-    for (std::size_t point = 0; point < sigma.size(); ++point)
-      sigma[point] = error(point, std::abs(data.points[point].*reading));
+    std::vector<double> before;
+    if (!all) {
+      before = sigma;
+      for (std::size_t point = 0; point < sigma.size(); ++point)
+        sigma[point] = error(point, std::abs(data.points[point].*reading));
+    }
     for (std::size_t i = 0; i < used.size(); ++i) {
-      sigma[used[i]] = error(used[i], at[i]);
-      change = std::max(change, std::abs(sigma[used[i]] / before[used[i]] - 1));
+      double& one = sigma[used[i]];
+      const double last = all ? one : before[used[i]];
+      one = error(used[i], at[i]);
+      change = std::max(change, std::abs(one / last - 1));
     }
   };
   evaluate(errors.model_T, !StandardErrors::is_known(errors.source_T), errors.step_T, &Point::T, nearest.T,
            kLeastError * largest_value(data, &Point::T), errors.T);
   evaluate(errors.model_A, !StandardErrors::is_known(errors.source_A), errors.step_A, &Point::A, nearest.A,
            kLeastError * largest_value(data, &Point::A), errors.A);
-  errors.load_T.resize(data.points.size());
-  errors.load_A.resize(data.points.size(), 1.0);
-  keep_places(data, used, nearest, errors);
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    errors.load_T[used[i]] = nearest.load_T[i];
-    errors.load_A[used[i]] = nearest.load_A[i];
-  }
+  put(used, std::move(nearest.load_T), data.points.size(), 0, errors.load_T);
+  put(used, std::move(nearest.load_A), data.points.size(), 1, errors.load_A);
+  keep_places(data, used, std::move(nearest), errors);
   return change;
 }
 

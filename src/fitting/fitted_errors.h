@@ -10,12 +10,12 @@
 namespace mixity {
 
 /// Sets place_T and place_A of `errors` for the points of the fit.
-void keep_places(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+void keep_places(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
                  StandardErrors& errors);
 
 /// Evaluates the errors of fitted points at their places on the fitted curve, those of other points at the readings.
 /// Returns the largest relative change among the fitted points.
-double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
                        StandardErrors& errors);
 
 /// For each of these points, the variance of its residual divided by that of proportional errors of `errors.scatter` at

@@ -110,6 +110,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     auto nearest = nearest_and_leverages(x, leverage);
     auto expected = nearest ? static_cast<const CurveObjective&>(*problem_).expected(x, *nearest) : std::nullopt;
     if (!expected) return true;
+    // With millions of points each array counts, and these are found anew below.
+    if (many && !errors.correlations.any())
+      for (std::vector<double>* const list : {&errors.load_T, &errors.load_A}) *list = std::vector<double>();
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
@@ -160,7 +163,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     errors.correlations = models.correlations;
     const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
     errors.freedom = known ? 0 : freedom * independence(models.correlations);
-    change = std::max(change, evaluate_errors(data_, prepared_.used, *nearest, errors));
+    change = std::max(change, evaluate_errors(data_, prepared_.used, std::move(*nearest), errors));
+    nearest.reset();
+    leverage = std::vector<double>();
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     if (change <= kSettled && round > choosing) break;
@@ -188,17 +193,16 @@ bool Fitter::settle_errors(std::vector<double>& x) {
 double Fitter::take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest) {
   constexpr double kMost = 4;
   std::vector<double>& list = prepared_.errors->expected;
-  std::vector<double> before = std::exchange(list, std::vector<double>(data_.points.size(), 0.0));
-  before.resize(list.size(), 0.0);
+  list.resize(data_.points.size(), 0.0);
   double squares = 0, change = 0;
   for (std::size_t i = 0; i < expected.size(); ++i)
-    squares += std::pow(nearest.residuals[i] - before[prepared_.used[i]], 2);
+    squares += std::pow(nearest.residuals[i] - list[prepared_.used[i]], 2);
   const double noise = freedom > 0 ? std::min(kMost, squares / freedom) : 1;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const std::size_t point = prepared_.used[i];
-    list[point] = noise * expected[i];
+    const double last = std::exchange(list[point], noise * expected[i]);
     nearest.residuals[i] -= list[point];
-    change = std::max(change, std::abs(list[point] - before[point]));
+    change = std::max(change, std::abs(list[point] - last));
   }
   return change;
 }
@@ -214,12 +218,13 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   double squares = 0, of_expected = 0;
   for (const double r : nearest->residuals) squares += r * r;
   // With millions of points, each array counts.
-  nearest->residuals = nearest->load_T = nearest->load_A = std::vector<double>();
+  for (std::vector<double>* const list : {&nearest->residuals, &nearest->load_T, &nearest->load_A})
+    *list = std::vector<double>();
   const double noise = std::min(1.0, squares / static_cast<double>(expected->size()));
   for (double& one : *expected) of_expected += std::pow(one *= noise, 2);
   if (of_expected < kCurvatureMatters) return false;
   StandardErrors& errors = *prepared_.errors;
-  keep_places(data_, prepared_.used, *nearest, errors);
+  keep_places(data_, prepared_.used, std::move(*nearest), errors);
   nearest.reset();
   errors.expected.resize(data_.points.size());
   for (std::size_t i = 0; i < expected->size(); ++i) errors.expected[prepared_.used[i]] = (*expected)[i];

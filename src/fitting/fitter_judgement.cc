@@ -1,6 +1,7 @@
 // Evaluates a fit at its minimum: evidence, budget, goodness of fit, tests of the residuals.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fitting/budget.h"
 #include "fitting/consistency.h"
@@ -121,8 +122,8 @@ void Fitter::test_residuals(const std::vector<double>& x) {
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
   result_.consistency->heavy = heavy_points(data_, result_, [&] {
-    const auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
-    return nearest ? nearest->load_A : std::vector<double>();
+    auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
+    return nearest ? std::move(nearest->load_A) : std::vector<double>();
   });
   ResidualTests& residuals = result_.consistency->residuals;
   if (off_course_ && off_course_->p_value < residuals.course_p) {

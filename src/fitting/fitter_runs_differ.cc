@@ -53,7 +53,7 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   const std::vector<std::string> names{tested_quantities(data_, prepared_).front(),
                                        std::string(kConstantNames[kAreaScale])};
   if (prepared_.used.size() >= kManyPoints && !apart && !prepared_.errors->correlations.any()) {
-    const auto sums = summed_run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
+    const auto sums = summed_run_rows(data_, options_, prepared_, groups, x, nearest.residuals, names, 1);
     const double rest = static_cast<double>(prepared_.used.size() + prior_count(*problem_) - x.size());
     if (!sums || !any_differs(sums->rows, sums->groups, rest)) return {};
   }
@@ -156,7 +156,7 @@ void Fitter::test_runs(const std::vector<double>& x) {
   if (!(unit > 0)) return;
   std::optional<RunRows> rows;
   if (residuals.size() >= kManyPoints && !prepared_.errors->correlations.any() && !prepared_.errors->runs.any()) {
-    if (auto sums = summed_run_rows(data_, options_, prepared_, x, residuals, tested, unit)) {
+    if (auto sums = summed_run_rows(data_, options_, prepared_, groups, x, residuals, tested, unit)) {
       rows = std::move(sums->rows);
       groups = std::move(sums->groups);
     }

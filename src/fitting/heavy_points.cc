@@ -15,6 +15,7 @@ namespace {
 struct ErrorColumn {
   const char* name;
   std::vector<double> errors;
+  double middle = 0;  // the median error
 };
 
 /// Columns in the file that the fit uses.
@@ -22,7 +23,9 @@ std::vector<ErrorColumn> stated_columns(const Dataset& data, const FitResult& fi
   std::vector<ErrorColumn> list;
   const auto add = [&](const char* name, const auto& error) {
     ErrorColumn column{name, {}};
+    column.errors.reserve(fit.used.size());
     for (const std::size_t i : fit.used) column.errors.push_back(error(i));
+    column.middle = median(column.errors);
     list.push_back(std::move(column));
   };
   if (data.has_loads) {
@@ -62,7 +65,7 @@ std::vector<double> weights_of(const Dataset& data, const FitResult& fit, const 
 /// Whether any error is below this fraction of the median of its column.
 bool any_far_below(const std::vector<ErrorColumn>& columns, double share) {
   return std::any_of(columns.begin(), columns.end(), [&](const ErrorColumn& one) {
-    return *std::min_element(one.errors.begin(), one.errors.end()) < share * median(one.errors);
+    return *std::min_element(one.errors.begin(), one.errors.end()) < share * one.middle;
   });
 }
 
@@ -85,7 +88,7 @@ std::optional<HeavyPoints> heavy_points(const Dataset& data, const FitResult& fi
     found.points.push_back(fit.used[k]);
     found.share += weights[k] / all;
     for (const ErrorColumn& one : columns)
-      if (const double ratio = one.errors[k] / median(one.errors); ratio < found.ratio) {
+      if (const double ratio = one.errors[k] / one.middle; ratio < found.ratio) {
         found.ratio = ratio;
         found.column = one.name;
       }

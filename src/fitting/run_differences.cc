@@ -10,6 +10,9 @@
 namespace mixity {
 UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used) {
   Groups all(data.curves.size());
+  std::vector<std::size_t> sizes(all.size());
+  for (const std::size_t i : used) ++sizes[data.points[i].curve];
+  for (std::size_t run = 0; run < all.size(); ++run) all[run].reserve(sizes[run]);
   for (std::size_t i = 0; i < used.size(); ++i) all[data.points[used[i]].curve].push_back(i);
   UsedRuns list;
   for (std::size_t run = 0; run < all.size(); ++run) {
@@ -129,13 +132,14 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
 }
 
 std::optional<SummedRows> summed_run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
-                                          const std::vector<double>& x, const std::vector<double>& residuals,
+                                          const Groups& groups, const std::vector<double>& x,
+                                          const std::vector<double>& residuals,
                                           const std::vector<std::string>& quantities, double unit) {
   constexpr std::size_t kAtOnce = kManyPoints / 2;
   auto [all, beside] = with_quantities(prepared, x, quantities);
+  all.used = std::vector<std::size_t>();  // of millions of points, which need their memory elsewhere
   const auto p = static_cast<Eigen::Index>(x.size()), effects = static_cast<Eigen::Index>(quantities.size()),
              width = p + effects + 1;
-  const Groups groups = used_runs(data, prepared.used).groups;
   Eigen::MatrixXd triangles(static_cast<Eigen::Index>(groups.size()) * width, width);
   SummedRows sums;
   std::vector<double> bare, jacobian;

@@ -31,13 +31,14 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
                                 const std::vector<std::string>& quantities, double unit);
 
 /// The same for many points whose neighbours are independent: a few rows for each run with the same sums of squares and
-/// products, one run after the other, so that no array has to hold those of all points.
+/// products, one run after the other, so that no array has to hold those of all points. `groups`: of used_runs.
 struct SummedRows {
   RunRows rows;  // without Z
   Groups groups;
 };
 std::optional<SummedRows> summed_run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
-                                          const std::vector<double>& x, const std::vector<double>& residuals,
+                                          const Groups& groups, const std::vector<double>& x,
+                                          const std::vector<double>& residuals,
                                           const std::vector<std::string>& quantities, double unit);
 
 /// Quantities tested for differences: the first fitted parameter, toughness, modulus, area_scale and load_offset.

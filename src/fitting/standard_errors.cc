@@ -164,6 +164,8 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
     }
     return 0.0;
   };
+  errors.T.reserve(data.points.size());
+  errors.A.reserve(data.points.size());
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& point = data.points[i];
     const PointErrors columns = data.errors_of(i);

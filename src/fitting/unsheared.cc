@@ -15,10 +15,10 @@ namespace mixity {
 namespace {
 
 std::vector<std::size_t> unsheared_points(const Dataset& data) {
-  const std::vector<PointPlace> at = places(data);
+  const PointPlaces places(data);
   std::vector<std::size_t> list;
-  for (std::size_t i = 0; i < at.size(); ++i)
-    if (at[i].unsheared) list.push_back(i);
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    if (places.at(i).unsheared) list.push_back(i);
   return list;
 }
 

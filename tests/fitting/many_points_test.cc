@@ -1,10 +1,14 @@
 // Fits of so many points that what would not show is left out: the answer is the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "fitting/curve_objective.h"
 #include "fitting/fit.h"
+#include "fitting/fitted_errors.h"
 #include "fitting/measured_runs.h"
 #include "fitting/run_differences.h"
 
@@ -73,6 +77,61 @@ TEST(ManyPoints, HaveTheSameNearestPlacesWhereverTheSearchBegins) {
   }
 }
 
+/// Points made on demand are those of a list: in blocks, where the runs are not in the order of their loads, and where
+/// some points are left out.
+TEST(ManyPoints, HaveTheResidualsOfFewOnesWhereverTheyStand) {
+  Dataset data = many_points();
+  std::reverse(data.points.begin(), data.points.end());
+  const FitOptions options = unchecked();
+  std::vector<std::size_t> most(data.points.size() - 5), some;
+  std::iota(most.begin(), most.end(), std::size_t{5});
+  const std::vector<double> x{0.16};
+  const PreparedFit many = prepare(data, model_named("c"), options, Objective::curve, &most);
+  std::vector<double> residuals(most.size());
+  ASSERT_TRUE(make_problem(data, options, many)->evaluate(x, residuals, {}));
+  for (std::size_t i = 0; i < most.size(); i += 100) some.push_back(i);
+  PreparedFit few = many;
+  few.used.clear();
+  for (const std::size_t i : some) few.used.push_back(most[i]);
+  std::vector<double> same(some.size());
+  ASSERT_TRUE(make_problem(data, options, few)->evaluate(x, same, {}));
+  for (std::size_t k = 0; k < some.size(); ++k) EXPECT_NEAR(residuals[some[k]], same[k], 1e-9) << k;  // as above
+}
+
+/// The errors of fitted points do not depend on whether others are left out, whose errors are those at their readings.
+TEST(ManyPoints, AreAllOrSomeOfTheDataSetWithTheSameErrors) {
+  const Dataset data = measured_runs(3, {}, 40);
+  const FitResult fit = fit_model(data, "c", unchecked());
+  const std::size_t n = data.points.size();
+  std::vector<std::size_t> all(n), some(n - 1);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::iota(some.begin(), some.end(), std::size_t{0});
+  const auto evaluated = [&](const std::vector<std::size_t>& used) {
+    NearestPlaces nearest;
+    for (const std::size_t i : used) {
+      nearest.T.push_back(1.1 * data.points[i].T);
+      nearest.A.push_back(0.9 * data.points[i].A);
+      nearest.load_T.push_back(0.6);
+      nearest.load_A.push_back(0.8);
+    }
+    StandardErrors errors = *fit.errors;
+    errors.load_T = errors.load_A = {};
+    return std::pair(evaluate_errors(data, used, std::move(nearest), errors), errors);
+  };
+  const auto [change, whole] = evaluated(all);
+  const auto [change_of_some, part] = evaluated(some);
+  EXPECT_GT(change, 0.01);
+  EXPECT_NEAR(change, change_of_some, 0.2 * change);
+  for (std::size_t i = 0; i < n - 1; ++i) {
+    EXPECT_EQ(whole.T[i], part.T[i]) << i;
+    EXPECT_EQ(whole.A[i], part.A[i]) << i;
+    EXPECT_EQ(whole.place_A[i], part.place_A[i]) << i;
+    EXPECT_EQ(whole.load_T[i], part.load_T[i]) << i;
+  }
+  EXPECT_EQ(part.load_A[n - 1], 1);
+  EXPECT_LT(whole.A[n - 1], part.A[n - 1]);  // at 0.9 of the reading and at the reading
+}
+
 /// Sums of squares and products are all that tests of differences between runs use of the rows.
 TEST(ManyPoints, HaveSumsOfRunsWithTheProductsOfAllRows) {
   const Dataset data = measured_runs(3, {}, 40);
@@ -84,9 +143,10 @@ TEST(ManyPoints, HaveSumsOfRunsWithTheProductsOfAllRows) {
   const std::vector<double> x{*fit.parameters[0].value};
   const std::vector<std::string> names = tested_quantities(data, prepared);
   const auto rows = run_rows(data, options, prepared, x, fit.residuals, names, 2);
-  const auto sums = summed_run_rows(data, options, prepared, x, fit.residuals, names, 2);
+  const Groups groups = used_runs(data, prepared.used).groups;
+  const auto sums = summed_run_rows(data, options, prepared, groups, x, fit.residuals, names, 2);
   ASSERT_TRUE(rows && sums);
-  const GroupedRows whole = grouped_rows(rows->J, rows->r, rows->Zw, used_runs(data, prepared.used).groups),
+  const GroupedRows whole = grouped_rows(rows->J, rows->r, rows->Zw, groups),
                     few = grouped_rows(sums->rows.J, sums->rows.r, sums->rows.Zw, sums->groups);
   const auto same = [](const auto& one, const auto& other) {
     EXPECT_LT((one - other).norm(), 1e-12 * one.norm() + 1e-300);  // rounding of sums of 40 squares

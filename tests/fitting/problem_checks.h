@@ -25,10 +25,10 @@ inline std::vector<MeasuredPoint> points_off(const std::string& model, const Par
   std::vector<MeasuredPoint> list;
   SeededNoise noise(1, 0.02);
   const Dataset data = synthetic_runs(model, p, {-1, 0.5, 20}, 6, upto, [&] { return 0.03 + noise(); });
-  const std::vector<PointPlace> at = places(data);
+  const PointPlaces places(data);
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& q = data.points[i];
-    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area(model, p, q.P), 0.02 * q.A, at[i]});
+    list.push_back({q.P, q.T, q.A, sigma_T * shear_to_lose_area(model, p, q.P), 0.02 * q.A, places.at(i)});
   }
   return list;
 }

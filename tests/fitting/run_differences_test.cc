@@ -128,8 +128,8 @@ TEST(RunDifferences, NameADriftAndFitIt) {
 
 TEST(RunDifferences, NameAContactThatIsNoCircle) {
   Dataset data = runs(6);
-  const std::vector<PointPlace> at = places(data);
-  for (std::size_t i = 0; i < at.size(); ++i) data.points[i].A *= std::exp(2 * 0.02 * at[i].stretch);
+  const PointPlaces places(data);
+  for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i].A *= std::exp(2 * 0.02 * places.at(i).stretch);
   const FitResult fit = fit_model(data, "c");
   ASSERT_FALSE(fit.explanations.empty()) << fit.message.text();
   EXPECT_EQ(fit.explanations[0].cause, "shape");
@@ -145,8 +145,8 @@ TEST(RunDifferences, OfTheShapeAndOfTheZeroOfTStartAtNone) {
     Dataset data = runs(seed);
     const Dataset of_bk = synthetic_runs("bk", {3, 2}, {5, -1, 30, 0.5, 12, 2, 20, 8}, 30, 0.9, noise);
     data.points = of_bk.points;
-    const std::vector<PointPlace> at = places(data);
-    for (std::size_t i = 0; i < at.size(); ++i) data.points[i].A *= std::exp(2 * 0.02 * at[i].stretch);
+    const PointPlaces places(data);
+    for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i].A *= std::exp(2 * 0.02 * places.at(i).stretch);
     for (const Constant constant : {kShape, kShearOffset}) {
       FitOptions with;
       with.free = {kShape};
