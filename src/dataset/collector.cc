@@ -95,7 +95,8 @@ void Collector::row(const CsvRow& row) {
   }
   const Column* const name = columns().find(ColumnId::curve);
   const bool is_named = name && !row[name->index].empty();
-  read.point.curve = runs_.of(is_named ? std::optional(row[name->index]) : std::nullopt, read.point, data_);
+  read.point.curve =
+      static_cast<Point::Index>(runs_.of(is_named ? std::optional(row[name->index]) : std::nullopt, read.point, data_));
   if (read.states_errors && !errors_in_fields_) {
     has_errors_ = errors_in_fields_ = true;
     data_.errors.resize(data_.points.size());
@@ -128,7 +129,7 @@ void Collector::take_tables_as_runs() {
   for (std::size_t i = 0; i < data_.points.size(); ++i) {
     while (k + 1 < tables_.size() && i >= tables_[k + 1].point) ++k;
     const std::string name = by_title ? tables_[k].title : "table " + std::to_string(k + 1);
-    data_.points[i].curve = runs_.of(name, data_.points[i], data_);
+    data_.points[i].curve = static_cast<Point::Index>(runs_.of(name, data_.points[i], data_));
   }
 }
 
@@ -164,7 +165,7 @@ void Collector::finish_angles() {
       names.push_back(data_.curves[data_.points[i].curve]);
     }
     data_.points[kept] = data_.points[i];
-    data_.points[kept].curve = run;
+    data_.points[kept].curve = static_cast<Point::Index>(run);
     data_.converted[kept] = data_.converted[i];
     if (!data_.errors.empty()) data_.errors[kept] = data_.errors[i];
     ++kept;

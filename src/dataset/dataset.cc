@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -73,6 +74,13 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
 }
 
 }  // namespace
+
+Point::Index line_of_point(const std::string& path, std::size_t line) {
+  if (line > std::numeric_limits<Point::Index>::max())
+    throw InputError(path, "has more than " + std::to_string(std::numeric_limits<Point::Index>::max()) +
+                               " lines, with those of the files before it; split it");
+  return static_cast<Point::Index>(line);
+}
 
 double Dataset::offset_unit(Constant offset) const {
   if (!contact) return 0;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,13 +23,21 @@ namespace mixity {
 /// A usable point. P, T, A are dimensionless, and zero if the data set has no loads. T has its sign from the file,
 /// except in reversed runs. A negative T is noise about zero.
 struct Point {
-  std::size_t line;   // in the CSV; counted through all files if there are several (Dataset::line_text)
-  std::size_t curve;  // index into Dataset::curves
-  double P, T, A;
+  using Index = std::uint32_t;  // of files with millions of rows, each byte of a point counts
+  Index line = 0;               // in the CSV; counted through all files if there are several (Dataset::line_text)
+  Index curve = 0;              // index into Dataset::curves
+  double P = 0, T = 0, A = 0;
+
+  Point() = default;
+  Point(std::size_t of_line, std::size_t of_curve, double load, double shear_load, double area)
+      : line(static_cast<Index>(of_line)), curve(static_cast<Index>(of_curve)), P(load), T(shear_load), A(area) {}
 
   /// |T|, since equilibrium depends on T^2.
   double shear() const { return std::abs(T); }
 };
+
+/// The number of a line as a point holds it. Throws InputError for a line beyond 2^32.
+Point::Index line_of_point(const std::string& path, std::size_t line);
 
 /// Marks a standard error that the file does not state. A stated 0 means that the value is exact.
 inline constexpr double kNotStated = -1;

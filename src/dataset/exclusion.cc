@@ -59,7 +59,7 @@ void remove_empty_runs(Dataset& data) {
   std::vector<std::size_t> number(used.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < used.size(); ++i) number[i] = used[i] ? next++ : 0;
-  for (Point& point : data.points) point.curve = number[point.curve];
+  for (Point& point : data.points) point.curve = static_cast<Point::Index>(number[point.curve]);
   keep(used, data.curves);
   keep(used, data.curve_loads);
   keep(used, data.shear_reversed);

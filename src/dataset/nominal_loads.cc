@@ -196,7 +196,7 @@ void join_noisy_loads(Dataset& data) {
   if (count >= before) return;
   std::vector<std::vector<double>> loads(count);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    data.points[i].curve = groups[i];
+    data.points[i].curve = static_cast<Point::Index>(groups[i]);
     loads[groups[i]].push_back(readings[i]);
   }
   data.curves.clear();

@@ -92,7 +92,7 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) {
     if (text == "0") return "include = 0";
   }
   point = {};
-  point.point.line = row.line();
+  point.point.line = line_of_point(path_, row.line());
   Numbers numbers{path_, columns_, row};
   const std::string_view reason = columns_.holds_loads()      ? read_loads(numbers, point)
                                   : columns_.holds_energies() ? read_energies(numbers, point)

@@ -87,8 +87,8 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   append(part.shear_reversed, runs, whole.shear_reversed, first_run);
   append(part.errors, points, whole.errors, whole.points.size());
   for (Point& point : part.points) {
-    point.line += first_line;
-    point.curve += first_run;
+    point.line = line_of_point(part.path, first_line + point.line);
+    point.curve += static_cast<Point::Index>(first_run);
   }
   append(part.points, points, whole.points, whole.points.size());
   for (Excluded& excluded : part.excluded) excluded.line += first_line;
@@ -169,7 +169,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
       whole.mapping = part.mapping;
     }
     std::size_t last = 0;
-    for (const Point& point : part.points) last = std::max(last, point.line);
+    for (const Point& point : part.points) last = std::max<std::size_t>(last, point.line);
     for (const Excluded& excluded : part.excluded) last = std::max(last, excluded.line);
     whole.files.push_back({file.path, lines});
     add(std::move(part), file, whole);

@@ -96,7 +96,7 @@ void split_repeated_shear(Dataset& data) {
       data.curves.push_back(part.name);
       data.curve_loads.push_back(part.load);
     }
-    data.points[i].curve = number[part_of_point[i]];
+    data.points[i].curve = static_cast<Point::Index>(number[part_of_point[i]]);
   }
   data.notes.push_back("T returns to its start and rises again: split into several runs at one load: " + split);
 }

@@ -6,6 +6,7 @@
 #include "fitting/budget.h"
 #include "fitting/consistency.h"
 #include "fitting/curve_objective.h"
+#include "fitting/fitted_errors.h"
 #include "fitting/fitter.h"
 #include "fitting/heavy_points.h"
 #include "fitting/predicted_area.h"
@@ -122,6 +123,9 @@ void Fitter::test_residuals(const std::vector<double>& x) {
   if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
   result_.consistency = test_consistency(data_, result_);
   result_.consistency->heavy = heavy_points(data_, result_, [&] {
+    // Of many points those of the last round serve, whose errors moved the fit by next to nothing.
+    if (result_.used.size() >= kManyPoints && !result_.errors->load_A.empty())
+      return of_points(result_.errors->load_A, result_.used);
     auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
     return nearest ? std::move(nearest->load_A) : std::vector<double>();
   });

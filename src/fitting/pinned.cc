@@ -58,10 +58,9 @@ class AreasOfRun {
   double sum_ = 0;
 };
 
-/// The points that a robust loss does not treat as outliers; without such a loss all.
-std::vector<std::size_t> counted_points(const FitResult& fit) {
+/// The points that a robust loss does not treat as outliers.
+std::vector<std::size_t> without_outliers(const FitResult& fit) {
   constexpr double kFar = 4;  // standard errors of a residual
-  if (!(fit.loss_scale > 0) || fit.innovations.size() != fit.used.size()) return fit.used;
   const double most = kFar * spread(fit.innovations);
   std::vector<std::size_t> points;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
@@ -92,10 +91,10 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
 
 bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A) {
   constexpr double kEnough = 5, kEnoughInAll = 10;  // points in a run; degrees of freedom in all
-  std::vector<AreasOfRun> runs(data.curves.size());
-  for (const std::size_t i : used) runs[data.points[i].curve].add(data.points[i], sigma_A.empty() ? 0 : sigma_A[i]);
   double lines = 0, freedom = 0, slopes = 0, sizes = 0, falls = 0, squares = 0, products = 0;
-  for (AreasOfRun& run : runs) {
+  for (const auto& points : used_runs(data, used).groups) {
+    AreasOfRun run;
+    for (const std::size_t k : points) run.add(data.points[used[k]], sigma_A.empty() ? 0 : sigma_A[used[k]]);
     if (run.points() < kEnough || !run.fit_line()) continue;
     ++lines;
     freedom += run.points() - 2;
@@ -116,9 +115,10 @@ bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::spa
 }
 
 bool is_pinned(const Dataset& data, const FitResult& fit, std::span<const double> residuals) {
-  const std::vector<double> none;
-  return areas_stay(data, counted_points(fit), fit.errors ? fit.errors->A : none) &&
-         !fall_as_fitted(data, fit, residuals);
+  const bool robust = fit.loss_scale > 0 && fit.innovations.size() == fit.used.size();
+  const std::span<const double> sigma_A = fit.errors ? fit.errors->A : std::span<const double>();
+  const bool stay = robust ? areas_stay(data, without_outliers(fit), sigma_A) : areas_stay(data, fit.used, sigma_A);
+  return stay && !fall_as_fitted(data, fit, residuals);
 }
 
 }  // namespace mixity

@@ -171,6 +171,12 @@ TEST(Dataset, PlacesSayRunShareOfTheLargestShearAndNoShear) {
   EXPECT_DOUBLE_EQ(PointPlaces(load_text("P,T,A\n1,1,19\n")).at(0).order, 0);  // one run alone
 }
 
+TEST(Dataset, CountsLinesUpToTheLastThatAPointHolds) {
+  EXPECT_EQ(line_of_point("a.csv", 4294967295), 4294967295);
+  EXPECT_EQ(input_error([] { line_of_point("a.csv", std::size_t{4294967295} + 1); }),
+            "a.csv: has more than 4294967295 lines, with those of the files before it; split it");
+}
+
 TEST(Dataset, OnePointIsADataSet) { EXPECT_EQ(load_text("P,T,A\n1,1,19").points.size(), 1); }
 
 TEST(Dataset, RunsAreThoseOfTheCurveColumnElseOnePerLoad) {

@@ -116,7 +116,7 @@ TEST(Course, OfReadingsInPairsIsTooSmallToMatter) {
       pairs.push_back(point);
       pairs.back().T *= factor;
       pairs.back().A *= factor;
-      pairs.back().line = pairs.size() + 1;
+      pairs.back().line = static_cast<Point::Index>(pairs.size() + 1);
     }
   data.points = pairs;
   data.rows = pairs.size();

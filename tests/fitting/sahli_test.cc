@@ -18,7 +18,7 @@ Dataset runs(double lambda, const std::vector<double>& loads, double fraction) {
     const double last = model.first_stable_end(ParameterValues{lambda}, P);
     for (int i = 0; i <= 20; ++i) {
       Point point{};
-      point.curve = data.curves.size();
+      point.curve = static_cast<Point::Index>(data.curves.size());
       point.P = P;
       point.T = fraction * last * i / 20;
       const double y = model.equilibria(ParameterValues{lambda}, P, {&point.T, 1}).at[0].y;

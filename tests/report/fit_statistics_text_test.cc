@@ -150,7 +150,7 @@ TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
 TEST(FitStatisticsText, NamesTheFarthestOutliersFirst) {
   Analysis result = example();
   FitResult& fit = result.fits[0];
-  for (std::size_t i = 0; i < 40; ++i) result.data.points[i].line = i + 2;
+  for (std::size_t i = 0; i < 40; ++i) result.data.points[i].line = static_cast<Point::Index>(i + 2);
   fit.consistency.emplace();
   EXPECT_TRUE(consistency_lines(fit, result.data).empty());
   fit.outliers = {{3, -4.26}, {10, 17.3}};
