@@ -128,13 +128,19 @@ TimeDensity break_times(const std::vector<double>& time, const std::vector<doubl
       most = std::max(most, one);
     }
   density.p.assign(count, 0);
+  const auto knee = static_cast<std::size_t>(shape.knee / step);
   double sum = 0;
-  for (const auto& likelihoods : squares)
+  for (std::size_t f = 0; f < forms.size(); ++f) {
+    const auto& likelihoods = squares[f];
+    // a jump is at any time up to the knee
+    const std::size_t earlier = forms[f].jumps ? knee : 0;
     for (std::size_t k = 0; k < count && !likelihoods.empty(); ++k) {
       const double likely = std::exp(likelihoods[likelihoods.size() == 1 ? 0 : k] - most);
-      density.p[k] += likely;
       sum += likely;
+      for (std::size_t i = 0; i <= std::min(earlier, k); ++i)
+        density.p[k - i] += likely / static_cast<double>(earlier + 1);
     }
+  }
   for (double& one : density.p) one /= sum;
   return density;
 }

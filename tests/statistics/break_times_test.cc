@@ -45,6 +45,15 @@ TEST(BreakTimes, OfAJumpAreAnywhereBetweenTwoReadings) {
   EXPECT_NEAR(quantile(found, 0.975) - quantile(found, 0.025), 0.95, 0.02);
 }
 
+/// The course jumps at some time after the break, as an area may at any time while the force falls.
+TEST(BreakTimes, OfAJumpBeforeAKneeAreEarlier) {
+  const auto [time, values] = readings(1, [](double t) { return t < 20.5 ? 0 : 100; });
+  const TimeDensity found = break_times(time, values, 1, 10, 30, 0.02, {0, 0, false, 4, false});
+  const auto [mean, deviation] = moments(found);
+  EXPECT_NEAR(mean, 18.5, 0.05);
+  EXPECT_NEAR(deviation, std::sqrt((1 + 4 * 4) / 12.0), 0.05);
+}
+
 TEST(BreakTimes, OfACourseThatDoesNotBreakAreAnywhere) {
   const auto [time, values] = readings(2, [](double t) { return 3 * t - 0.02 * t * t; });
   EXPECT_GT(moments(break_times(time, values, 1, 10, 30, 0.1, {})).deviation, 0.8 * 20 / std::sqrt(12));

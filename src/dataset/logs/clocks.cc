@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/input_error.h"
@@ -15,30 +16,48 @@ namespace {
 
 using Lags = std::vector<TimeDensity>;  // from one event each, at the same times
 
-/// The lag from an event whose time also scatters with a normal deviation.
-TimeDensity scattered(const TimeDensity& lag, double deviation) {
-  TimeDensity wider{lag.begin, lag.step, std::vector<double>(lag.p.size())};
-  add_differences(normal_times(0, deviation, lag.step), lag, wider);
-  return wider;
+constexpr double kOther = 0.02;  // probability that forces and areas do not show the same event
+
+/// The lag from an event whose error is `scale` times what it is said to be, and whose time also scatters with a normal
+/// deviation.
+std::vector<double> probabilities(const TimeDensity& lag, double scale, double deviation) {
+  TimeDensity scaled = lag;
+  double before = 0, after = 0;
+  for (double& one : scaled.p) {
+    before += one;
+    one = scale == 1 ? one : std::pow(one, 1 / (scale * scale));
+    after += one;
+  }
+  for (double& one : scaled.p) one *= after > 0 ? before / after : 0;
+  if (deviation > 0) {
+    TimeDensity wider{lag.begin, lag.step, std::vector<double>(lag.p.size())};
+    add_differences(normal_times(0, deviation, lag.step), scaled, wider);
+    scaled = std::move(wider);
+  }
+  for (double& one : scaled.p) one = (1 - kOther) * one + kOther / static_cast<double>(scaled.p.size());
+  return std::move(scaled.p);
 }
 
-/// The product over events, averaged over additional scatter beyond their own errors, each value with its probability:
-/// none, or a fraction of the range of lags tried.
+/// The product over events of one kind. Their scatter says how large their errors are: the product is averaged over
+/// factors on the errors and over additional scatter, each with its probability.
 TimeDensity together(const Lags& lags) {
   const double tried = lags.front().step * static_cast<double>(lags.front().p.size());
   std::vector<std::vector<double>> products;
   double most = -std::numeric_limits<double>::infinity();
-  for (const double share : {0.0, 0.02, 0.1}) {
-    // price of one more estimated deviation, as in BIC
-    const double beforehand = share > 0 ? -0.5 * std::log(static_cast<double>(lags.size() + 1)) : 0;
-    std::vector<double> product(lags.front().p.size(), beforehand);
+  const auto add = [&](double probability, double scale, double deviation) {
+    std::vector<double> product(lags.front().p.size(), std::log(probability));
     for (const TimeDensity& lag : lags) {
-      const TimeDensity wider = share > 0 ? scattered(lag, share * tried) : lag;
-      for (std::size_t k = 0; k < product.size(); ++k) product[k] += std::log(wider.p[k]);
+      const std::vector<double> p = probabilities(lag, scale, deviation);
+      for (std::size_t k = 0; k < product.size(); ++k) product[k] += std::log(p[k]);
     }
     most = std::max(most, *std::max_element(product.begin(), product.end()));
     products.push_back(std::move(product));
-  }
+  };
+  // Probabilities beforehand. Factors a third apart; scatter in shares of the range of lags tried.
+  constexpr double kScales[] = {0.36, 0.48, 0.64, 0.85, 1.14, 1.52};
+  for (const double scale : kScales) add(0.93 / std::size(kScales), scale, 0);
+  add(0.05, 1, 0.02 * tried);
+  add(0.02, 1, 0.1 * tried);
   TimeDensity all = lags.front();
   std::fill(all.p.begin(), all.p.end(), 0);
   for (const auto& product : products)
@@ -47,16 +66,14 @@ TimeDensity together(const Lags& lags) {
 }
 
 /// The lag from events of one kind, counting those that make it more probable. Null if none does.
-std::optional<LagPart> part_by(LagEvent::Kind kind, const Lags& lags) {
-  if (lags.empty()) return std::nullopt;
-  const TimeDensity all = together(lags);
+std::optional<LagPart> part_by(LagEvent::Kind kind, const Lags& lags, const TimeDensity& all) {
   const auto best = static_cast<std::size_t>(std::max_element(all.p.begin(), all.p.end()) - all.p.begin());
   const auto telling = static_cast<std::size_t>(std::count_if(lags.begin(), lags.end(), [&](const TimeDensity& lag) {
     return lag.p[best] * static_cast<double>(lag.p.size()) > 1;
   }));
   if (telling == 0) return std::nullopt;
   const auto [lag, error] = moments(all);
-  return LagPart{to_string(kind), telling, lag, error};
+  return LagPart{to_string(kind), telling, lag, std::hypot(error, all.step / std::sqrt(12.0))};
 }
 
 struct Estimate {
@@ -79,22 +96,29 @@ void cover_both(const LagPart& low, const LagPart& high, Estimate& found) {
   found.high = std::max(found.high, high.lag + kOf95 * high.error);
 }
 
-/// Null if no event determines the lag.
-std::optional<Estimate> estimate_by(const std::vector<LagEvent>& events, LagRange range, double interval) {
+/// `sample`: between readings of the forces, s. Null if no event determines the lag.
+std::optional<Estimate> estimate_by(const std::vector<LagEvent>& events, LagRange range, double interval,
+                                    double sample) {
   Estimate found;
-  Lags all;
+  std::optional<TimeDensity> lag;
   for (const auto kind : {LagEvent::Kind::made, LagEvent::Kind::lost, LagEvent::Kind::fall}) {
     Lags lags;
     for (const LagEvent& event : events)
       if (event.kind == kind) lags.push_back(lag_by(event, range, interval));
-    if (const auto part = part_by(kind, lags)) found.parts.push_back(*part);
-    all.insert(all.end(), lags.begin(), lags.end());
+    if (lags.empty()) continue;
+    const TimeDensity by_kind = together(lags);
+    if (const auto part = part_by(kind, lags, by_kind)) found.parts.push_back(*part);
+    const double most = *std::max_element(by_kind.p.begin(), by_kind.p.end());
+    if (!lag) lag = TimeDensity{by_kind.begin, by_kind.step, std::vector<double>(by_kind.p.size(), 1)};
+    for (std::size_t k = 0; k < lag->p.size(); ++k) lag->p[k] *= by_kind.p[k] / most;
   }
   if (found.parts.empty()) return std::nullopt;
-  const TimeDensity lag = together(all);
-  found.lag = moments(lag);
-  found.low = quantile(lag, 0.025);
-  found.high = quantile(lag, 0.975);
+  found.lag = moments(*lag);
+  // what all events share: which moment of its step a sample of the forces stands for, and the steps of the lags tried
+  const double shared = std::hypot(sample, lag->step) / std::sqrt(12.0);
+  found.lag.deviation = std::hypot(found.lag.deviation, shared);
+  found.low = found.lag.mean - std::hypot(found.lag.mean - quantile(*lag, 0.025), kOf95 * shared);
+  found.high = found.lag.mean + std::hypot(quantile(*lag, 0.975) - found.lag.mean, kOf95 * shared);
   for (const LagPart& one : found.parts)
     for (const LagPart& other : found.parts) cover_both(one, other, found);
   return found;
@@ -106,16 +130,18 @@ std::optional<Estimate> estimate(const Recording& forces, const Recording& areas
   constexpr double kWide = 0.6, kNarrow = 0.1, kKnown = 0.05;  // s
   constexpr double kFrames = 3, kErrors = 5;
   const Frames rough = make_frames(forces, areas, coarse);
-  const double interval = rough.interval, wide = std::max(kWide, 4 * interval);
+  const double interval = rough.interval, sample = typical_step(forces.time), wide = std::max(kWide, 4 * interval);
   const LagRange first{coarse - wide, coarse + wide};
   std::vector<LagEvent> events = contact_events(forces, rough, first);
   MeanAndDeviation near{coarse, wide / kErrors};
-  if (const auto by_contacts = estimate_by(events, first, interval)) near = by_contacts->lag;
+  if (const auto by_contacts = estimate_by(events, first, interval, sample)) near = by_contacts->lag;
   const double narrow = std::min(wide, std::max({kErrors * near.deviation, kNarrow, kFrames * interval}));
   const LagRange range{near.mean - narrow, near.mean + narrow};
-  const std::vector<LagEvent> falls = fall_events(make_frames(forces, areas, near.mean), range);
+  const Frames frames = make_frames(forces, areas, near.mean);
+  if (auto nearer = contact_events(forces, frames, range); !nearer.empty()) events = std::move(nearer);
+  const std::vector<LagEvent> falls = fall_events(frames, range);
   events.insert(events.end(), falls.begin(), falls.end());
-  const auto found = estimate_by(events, range, interval);
+  const auto found = estimate_by(events, range, interval, sample);
   // with a larger deviation, several lags are possible
   return found && (found->disagree || found->lag.deviation < std::max(kKnown, 2 * interval)) ? found : std::nullopt;
 }

@@ -11,7 +11,7 @@
 namespace mixity {
 namespace {
 
-constexpr double kSteps = 20, kMost = 600;  // of a frame; of the range tried, if frames are short
+constexpr double kSteps = 30, kMost = 600;  // of a frame; of the range tried, if frames are short
 
 double step_of(LagRange range, double interval) {
   return std::max(interval / kSteps, (range.last - range.first) / kMost);
@@ -63,6 +63,8 @@ class ContactEvents {
 
  private:
   static constexpr std::size_t kFew = 3;
+  static constexpr double kShare = 0.6;  // of the ramp of the load
+  static constexpr double kBeside = 3;   // frames beside another contact
 
   /// A contact made at frame `at` (or lost, in reverse): out of contact from frame `begin` on, and held before frame
   /// `end`.
@@ -73,23 +75,44 @@ class ContactEvents {
       events_.push_back({lost ? LagEvent::Kind::lost : LagEvent::Kind::made, of_P, of_A});
   }
 
-  /// Searches near the frame at which contact is seen.
+  /// Searches near the frame at which contact is seen, in the first part of the ramp of the load. Where the ramp is too
+  /// short for a course, contact may begin at any time in the two frames before the first that shows it.
   TimeDensity in_areas(std::size_t begin, std::size_t at, std::size_t end, bool lost) const {
     constexpr std::size_t kMany = 12;
+    constexpr double kNear = 3,
+                     kFaint = 0.3;  // frames; of the ramp, at whose end a small area does not count as contact
+    const double interval = frames_.interval;
+    const std::size_t ramp = lost ? at - begin : end - at, out = lost ? end - at : at - begin,
+                      in = std::min(kMany, static_cast<std::size_t>(kShare * static_cast<double>(ramp)));
+    const double near = std::max(kNear, kFaint * static_cast<double>(ramp));
+    if (static_cast<double>(out) < near + kFew) return {};  // the record may end before contact does
+    if (in <= kFew) return even_times(frames_.time[at] - interval, frames_.time[at] + (lost ? interval : 0));
+    const std::size_t beyond = std::min(out, std::max(kMany, static_cast<std::size_t>(near) + kFew));
     Readings area;
-    area.add(frames_.time, frames_.A, at - std::min(kMany, at - begin), std::min(end, at + kMany));
-    const double near = 3 * frames_.interval;
-    return beginning(area, noise_A_, frames_.time[at] - near, frames_.time[at] + near, frames_.interval / kSteps, lost);
+    area.add(frames_.time, frames_.A, at - (lost ? in : beyond), at + (lost ? beyond : in));
+    const double inside = kNear * interval, outside = near * interval;
+    return beginning(area, noise_of(area.values), frames_.time[at] - (lost ? inside : outside),
+                     frames_.time[at] + (lost ? outside : inside), interval / kSteps, lost);
+  }
+
+  /// Equal probabilities.
+  TimeDensity even_times(double first, double last) const {
+    TimeDensity even{first, frames_.interval / kSteps, {}};
+    even.p.assign(static_cast<std::size_t>((last - first) / even.step) + 1, 0);
+    for (double& one : even.p) one = 1 / static_cast<double>(even.p.size());
+    return even;
   }
 
   /// Searches as far away as the range of lags allows.
   TimeDensity in_loads(std::size_t begin, std::size_t at, std::size_t end, bool lost) const {
     constexpr std::size_t kBlocks = 150;
-    constexpr double kOut = 0.5, kShare = 0.6;  // s; of the ramp of the load
+    constexpr double kOut = 0.5, kFree = 0.5;  // s; of the time out of contact, at whose other end another may be
     const double middle = frames_.time[at], before = middle - frames_.time[begin],
                  behind = frames_.time[end - 1] - middle;
     const double half = std::max(range_.last - frames_.lag, frames_.lag - range_.first);
-    const double out = std::min(half + kOut, lost ? behind : before), in = kShare * (lost ? before : behind);
+    const double free = lost ? behind : before;
+    const double out = std::min(half + kOut, std::max(free - half - kBeside * frames_.interval, kFree * free)),
+                 in = kShare * (lost ? before : behind);
     const double from = middle - frames_.lag - (lost ? in : out), to = middle - frames_.lag + (lost ? out : in);
     Readings load;
     load.add(forces_.time, forces_.P, index_of(from, forces_.time), index_of(to, forces_.time));
@@ -127,6 +150,17 @@ struct Fall {
   std::size_t first, last;  // frames between the end of the last fall, or of the contact, and the next fall
 };
 
+/// The frame behind the last one at which T is about as high as after `begin`: then it is taken back.
+std::size_t end_of_sliding(const Frames& frames, const LoadingRun& run, std::size_t begin) {
+  constexpr double kHigh = 0.9;
+  const auto T = [&](std::size_t i) { return run.direction * frames.T[i] - run.baseline; };
+  double most = 0;
+  for (std::size_t i = begin; i < run.last; ++i) most = std::max(most, T(i));
+  std::size_t end = run.last;
+  while (end > begin && T(end - 1) < kHigh * most) --end;
+  return end;
+}
+
 std::vector<Fall> falls_of(const Frames& frames, const LoadingRun& run) {
   const double sample = frames.samples > 1 ? typical_step(frames.force_time) : frames.interval;
   std::vector<Fall> falls;
@@ -136,11 +170,16 @@ std::vector<Fall> falls_of(const Frames& frames, const LoadingRun& run) {
   for (const Cycle& cycle : run.cycles) {
     if (!cycle.T_min) break;
     const double lasts = std::max(cycle.time_min - cycle.time, sample), fall = cycle.T_peak - *cycle.T_min;
-    const double noise = run.noise_T * std::sqrt(frames.samples), error = std::hypot(sample / 2, noise / fall * lasts);
+    // where a line before the fall and one along it meet
+    constexpr double kEnd = 2, kOfEven = 3.46;  // error at a line's end over that of its mean; width over deviation
+    const double noise = run.noise_T * std::sqrt(frames.samples),
+                 along = kEnd * noise / std::sqrt(std::max(lasts / sample, 1.0)),
+                 error = std::hypot(sample / kOfEven, std::hypot(cycle.error_peak, along) / fall * lasts);
     if (!falls.empty()) falls.back().last = index_of(cycle.time, frames.time);
     falls.push_back({cycle.time, error, lasts, index_of(free, frames.time), run.last});
     free = cycle.time_min;
   }
+  if (!falls.empty()) falls.back().last = end_of_sliding(frames, run, index_of(free, frames.time));
   for (Fall& fall : falls) fall.time -= frames.lag;
   return falls;
 }
@@ -148,12 +187,10 @@ std::vector<Fall> falls_of(const Frames& frames, const LoadingRun& run) {
 }  // namespace
 
 TimeDensity lag_by(const LagEvent& event, LagRange range, double interval) {
-  constexpr double kOther = 0.02;
   const double step = step_of(range, interval);
   const auto count = static_cast<std::size_t>((range.last - range.first) / step) + 1;
   TimeDensity lag{range.first, step, std::vector<double>(count)};
   add_differences(event.in_forces, event.in_areas, lag);
-  for (double& one : lag.p) one = (1 - kOther) * one + kOther / static_cast<double>(count);
   return lag;
 }
 
@@ -162,8 +199,8 @@ std::vector<LagEvent> contact_events(const Recording& forces, const Frames& roug
 }
 
 std::vector<LagEvent> fall_events(const Frames& rough, LagRange range) {
-  constexpr std::size_t kBefore = 40, kParabola = 12, kBehind = 12, kFew = 4;  // frames
-  constexpr double kSudden = 0.05;                                             // of a frame
+  constexpr std::size_t kBefore = 40, kParabola = 12, kBehind = 12, kFew = 4, kBeside = 3;  // frames
+  constexpr double kSudden = 0.05;                                                          // of a frame
   constexpr double kOfRun = 0.35;  // of the shear: this much of the course before a fall is fitted by a polynomial
   RunOptions alone;
   alone.by_shear_alone = true;
@@ -177,7 +214,9 @@ std::vector<LagEvent> fall_events(const Frames& rough, LagRange range) {
       const std::size_t course = from > fall.first ? from - fall.first : 0,
                         share = static_cast<std::size_t>(kOfRun * static_cast<double>(course)),
                         before = std::min({kBefore, course, std::max(kParabola, share)});
-      const std::size_t next = fall.last - std::min(fall.last, (to - from) / 2), end = std::min(to + kBehind, next);
+      // the next fall, or unloading, is off by as much as the lag
+      const std::size_t apart = std::max((to - from) / 2, kBeside),
+                        end = std::min(to + kBehind, fall.last - std::min(fall.last, apart));
       if (before < kFew || end < to + kFew) continue;
       Readings area;
       area.add(rough.time, rough.A, from - before, end);

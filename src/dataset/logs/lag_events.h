@@ -25,8 +25,8 @@ struct LagRange {
   double first, last;
 };
 
-/// The probability density of the lag from one event, with some probability that forces and areas do not show the same
-/// one. `interval`: between frames, s.
+/// The probability density of the lag from one event; what lies outside the range is lost from its sum. `interval`:
+/// between frames, s.
 TimeDensity lag_by(const LagEvent& event, LagRange range, double interval);
 
 /// Contacts made and lost: P leaves or returns to its zero when the area does. `rough`: frames with a lag known to some

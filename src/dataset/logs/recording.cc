@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "dataset/logs/log_clock.h"
 #include "dataset/table/channel_clocks.h"
+#include "dataset/table/column_advice.h"
 #include "dataset/table/columns.h"
 #include "dataset/table/csv_file.h"
 #include "dataset/table/table_rows.h"
@@ -161,7 +162,8 @@ class LogReader : public UseOfRows {
       const Heading& heading = table.headings[column->index];
       if (column->unit.dimension == dimension::none)
         throw InputError(recording_.path, heading.place,
-                         "column '" + heading.name + "' needs a unit: a log is not dimensionless");
+                         "column '" + heading.name + "' needs a unit: a log is not dimensionless; say it: " +
+                             Remedy::set("columns", units_to_state(table, columns)));
       channels_.push_back({column->id, column->index, column->unit.factor});
     }
     if (const Column* shear = columns.find(T)) {
@@ -182,6 +184,15 @@ class LogReader : public UseOfRows {
           return one.unit && unit_fits(one.unit, A);
         }))
       recording_.advice = columns.advice({A}, table.headings);
+  }
+
+  /// Entries of a mapping for all columns without a unit.
+  static std::string units_to_state(const Table& table, const Columns& columns) {
+    std::string entries;
+    for (const auto& column : columns.by_id)
+      if (column && !is_clock(column->id) && column->unit.dimension == dimension::none)
+        entries += (entries.empty() ? "" : ",") + mapping_with("UNIT", column->id, table.headings, column->index);
+    return entries;
   }
 
   const Channel* channel(ColumnId id) const {

@@ -82,28 +82,64 @@ Made simulate(const Conditions& c) {
   return made;
 }
 
-/// Of 60 logs, how many lags are in their interval; none is off by more than a frame.
-int intervals_that_hold(Conditions conditions) {
+/// Of 60 logs, how many lags are in their interval, and the root mean square of their deviations in standard errors.
+/// None is off by more than a frame.
+struct Coverage {
   int held = 0;
-  for (conditions.seed = 0; conditions.seed < 60; ++conditions.seed) {
+  double pull = 0;
+};
+Coverage coverage(Conditions conditions) {
+  constexpr unsigned kLogs = 60;
+  Coverage found;
+  double squares = 0;
+  for (conditions.seed = 0; conditions.seed < kLogs; ++conditions.seed) {
     const Made made = simulate(conditions);
     const Frames frames = on_one_clock(made.forces, made.areas, {});
     EXPECT_NEAR(frames.lag, made.lag, 0.04) << conditions.seed;
-    EXPECT_FALSE(frames.lags_disagree) << conditions.seed;
-    held += frames.lag_low <= made.lag && made.lag <= frames.lag_high;
+    found.held += frames.lag_low <= made.lag && made.lag <= frames.lag_high;
+    squares += std::pow((frames.lag - made.lag) / frames.lag_error, 2);
   }
-  return held;
+  found.pull = std::sqrt(squares / kLogs);
+  return found;
 }
 
-// 57 of 60 are wanted; fewer than 52, three standard errors below, would be too few
-TEST(Lag, IsInItsIntervalWhereTheAreaStaysAsItIsWhileTFalls) { EXPECT_GE(intervals_that_hold({}), 52); }
+/// 57 of 60 are wanted; fewer than 52, three standard errors below, would be too few. The mean square of 60 normal
+/// deviations scatters by a tenth: three of these are 0.73 and 1.27.
+void expect_true_errors(const Conditions& conditions) {
+  const Coverage found = coverage(conditions);
+  EXPECT_GE(found.held, 52);
+  EXPECT_GT(found.pull, 0.73);
+  EXPECT_LT(found.pull, 1.27);
+}
 
-TEST(Lag, IsInItsIntervalWhereTheAreaRegrowsWhileTFalls) {
+TEST(Lag, HasTrueErrorsWhereTheAreaStaysAsItIsWhileTFalls) { expect_true_errors({}); }
+
+TEST(Lag, HasTrueErrorsWhereTheAreaRegrowsWhileTFalls) {
   Conditions conditions;
   conditions.regrows = 0.3;
-  EXPECT_GE(intervals_that_hold(conditions), 52);
+  expect_true_errors(conditions);
   conditions.fall = 0.004;
-  EXPECT_GE(intervals_that_hold(conditions), 52);
+  expect_true_errors(conditions);
+}
+
+/// A record may end while the contact is opened: then the loss of the contact is no event.
+TEST(Lag, IsNotTakenFromAContactThatTheRecordDoesNotShowOpen) {
+  Made made = simulate({});
+  const auto lost_in = [](const Made& log) {
+    for (const LagPart& part : on_one_clock(log.forces, log.areas, {}).lag_parts)
+      if (part.by == "contacts lost") return true;
+    return false;
+  };
+  EXPECT_TRUE(lost_in(made));
+  const double end = made.forces.time.back() - 0.7;  // when P and A reach their zeros
+  for (Recording* one : {&made.forces, &made.areas}) {
+    const double last = one == &made.areas ? end + made.lag : end;
+    const std::size_t kept = index_of(last + 0.05, one->time);
+    one->time.resize(kept);
+    for (std::vector<double>* values : {&one->P, &one->T, &one->A})
+      if (!values->empty()) values->resize(kept);
+  }
+  EXPECT_FALSE(lost_in(made));
 }
 
 TEST(Lag, HasAnErrorThatNoiseEnlarges) {

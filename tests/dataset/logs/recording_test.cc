@@ -77,6 +77,13 @@ TEST(Recordings, WithoutAQuantityNameTheColumnThatMayHoldIt) {
             "column is P: --columns=\"P=Kraft 1 [mN]\"");
 }
 
+TEST(Recordings, WithoutUnitsAreRefusedWithOneMappingForAllOfThem) {
+  const std::string rows = "\n0,1,2,0.3\n1,1,2,0.3\n2,1,2,0.3\n";
+  EXPECT_EQ(error_of("time [s],Fn,Ft,A [mm^2]" + rows),
+            "log.csv:1:10: column 'Fn' needs a unit: a log is not dimensionless; say it: "
+            "--columns=\"P=Fn (UNIT),T=Ft (UNIT)\"");
+}
+
 TEST(Recordings, OfLabVIEWHaveALabelBeforeTheirUnits) {
   const std::string lvm =
       "LabVIEW Measurement\t\n***End_of_Header***\t\nChannels\t3\t\t\nSamples\t3\t3\t3\n"

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "dataset/load_text.h"
 #include "dataset/logs/recording.h"
@@ -114,6 +116,18 @@ TEST(ColumnNames, OfRHaveDotsForBrackets) {
   for (const char* header :
        {"Fn.mN,Ft.mN,A.mm2", "Fn..mN.,Ft..mN.,Area..mm2.", "Normal.force..mN.,Shear.force..mN.,Contact.area..mm2."})
     EXPECT_EQ(read(header).find("missing"), std::string::npos) << read(header);
+}
+
+TEST(ColumnNames, OfADiameterGiveTheArea) {
+  const double d = 2 * std::sqrt(0.29 / std::numbers::pi);  // mm
+  for (const char* name : {"EquivDiameter_um", "Contact diameter [um]", "diamètre de contact (µm)"}) {
+    const std::string text = std::to_string(1e3 * d);
+    EXPECT_NE(
+        load_text(std::string("P [mN],T [mN],") + name + "\n4.68,0," + text + "\n4.67,1," + text + "\n", "", kConstants)
+            .taken.back()
+            .find("diameter from"),
+        std::string::npos);
+  }
 }
 
 TEST(ColumnNames, AreKnownInJapaneseAndChinese) {
