@@ -3,14 +3,12 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -180,26 +178,15 @@ RegimeMap map_for(const Json& request) {
 }
 
 /// A map of regimes for {"model", "parameters": [value], "axis": index of the parameter, "low", "high": its ends,
-/// "logarithmic", "P_low", "P_high"}, loads dimensionless. Works for about `milliseconds`, at least one line, and
-/// returns {} until the map is complete, so that the page can do other things before it asks again. Then returns
-/// {"regions": [{"regime", "outline": [[P, parameter]]}]}. A new request replaces an unfinished one.
-std::string map_of(const std::string& request, double milliseconds) {
+/// "logarithmic", "P_low", "P_high"}, loads dimensionless: {"regions": [{"regime", "outline": [[P, parameter]]}]}.
+std::string map_of(const std::string& request) {
   return guarded([&] {
-    static std::string asked;
-    static std::optional<RegimeMap> map;
-    if (!map || request != asked) map.emplace(map_for(Json::parse(request)));
-    asked = request;
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    while (map->add_line())
-      if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds)
-        return Json::object();
-    const auto regions = list_of(map->regions(false), [](const RegimeRegion& region) {
-      return Json{{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
-                  {"outline", region.outline}};
-    });
-    map.reset();
-    return Json{{"regions", regions}};
+    RegimeMap map = map_for(Json::parse(request));
+    while (map.add_line()) continue;
+    return Json{{"regions", list_of(map.regions(false), [](const RegimeRegion& region) {
+                   return Json{{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
+                               {"outline", region.outline}};
+                 })}};
   });
 }
 

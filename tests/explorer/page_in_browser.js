@@ -4,6 +4,7 @@ const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const {execFileSync} = require('child_process');
+const {workbookOf} = require('./workbook.js');
 const root = path.resolve(__dirname, '../..');
 const built = path.join(root, 'build/explorer');
 const {chromium} = require(path.join(built, 'node_modules/playwright-core'));
@@ -460,6 +461,25 @@ async function main() {
 
   await severalFiles(page);
   await logOverTime(page);
+
+  // a workbook, whose sheet is chosen
+  const cells = fs.readFileSync(path.join(root, 'data/mergel2018.csv'), 'utf8').trim().split('\n').filter(row => !row.startsWith('#')).map(row => row.split(','));
+  const book = workbookOf({'All runs': cells, 'Less': cells.slice(0, 101)});
+  const xlsx = {name: 'book.xlsx', mimeType: 'application/zip', buffer: book}, beside = {name: 'book.toml', mimeType: 'application/toml', buffer: fs.readFileSync(path.join(root, 'data/mergel2018.toml'))};
+  fs.writeFileSync(path.join(folder, xlsx.name), book);
+  fs.writeFileSync(path.join(folder, beside.name), beside.buffer);
+  const sheet = async (words, rows) => {
+    await page.waitForFunction(wanted => document.getElementById('read-title').textContent.startsWith(`book.xlsx: ${wanted} of`) && window.explorer.experiment.result, rows);
+    const fits = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
+    fitsOf(run(['fit', xlsx.name, '--format=json', ...words])).forEach((fit, i) => sameFit(fits[i], fit, `a workbook ${words}`));
+  };
+  await page.setInputFiles('#file', [xlsx, beside]);
+  await sheet([], cells.length - 1);
+  expect(/to read another \('Less'\): "Less" under .More of the file/.test(await page.textContent('#taken')), `of a workbook: ${await page.textContent('#taken')}`);
+  await page.evaluate(() => { document.getElementById('more').open = true; });
+  await page.fill('[name=sheet]', 'Less');
+  await page.click('#constants button');
+  await sheet(['--sheet=Less'], 100);
 
   // neither loads nor areas as they are: both are said below the constants
   await page.setInputFiles('#file', table('camera.csv', 'T [mN],A [px]\n0,80000\n10,79500\n20,78000\n30,75000\n'));

@@ -1,9 +1,10 @@
 // The engine for browsers, in Node, against the program: areas to 1e-12, lambda to 1e-9 of itself, on the shipped sets, on
-// runs in several files, and on the loading runs of logs.
+// runs in several files, workbooks, and the loading runs of logs.
 'use strict';
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
+const {workbookOf} = require('./workbook.js');
 const {execFileSync} = require('child_process');
 const root = path.resolve(__dirname, '../..');
 const program = path.join(root, 'build/release/src/mixity');
@@ -111,6 +112,34 @@ function comparePooled(engine) {
   return worst;
 }
 
+/// A workbook is read as by the program, and so is one that is refused.
+function compareWorkbooks(engine) {
+  const rows = linesOf(path.join(root, 'data/mergel2018.csv')).filter(row => !row.startsWith('#')).map(row => row.split(','));
+  const sheet = workbookOf({'Notes & more': [['nothing here']], 'Run 1': rows}), toml = fs.readFileSync(path.join(root, 'data/mergel2018.toml'));
+  const damaged = Buffer.from(sheet);
+  damaged[sheet.length >> 1] ^= 0x55;
+  const bomb = workbookOf({Data: rows}, {'xl/worksheets/sheet1.xml': Buffer.alloc(70 << 20, 32)});
+  const files = {'sheet.xlsx': sheet, 'damaged.xlsx': damaged, 'bomb.xlsx': bomb, 'short.xlsx': sheet.subarray(0, sheet.length - 10), 'old.xls': Buffer.from('\xD0\xCF\x11\xE0 and more', 'latin1')};
+  for (const [name, content] of Object.entries(files)) {
+    for (const [file, bytes] of [[name, content], [name.replace(/\.xlsx?$/, '.toml'), toml]]) {
+      engine.write(file, bytes);
+      fs.writeFileSync(path.join(folder, file), bytes);
+    }
+    if (name === 'sheet.xlsx') continue;
+    let theirs = '';
+    try {
+      execFileSync(program, ['check', name], {cwd: folder, encoding: 'utf8', stdio: 'pipe'});
+    } catch (ended) {
+      theirs = ended.stderr;
+    }
+    const ours = JSON.parse(engine.read(JSON.stringify([name]), '{}', false)).error ?? '', general = text => text.replace(/\((?:part '[^']*': )?[^()]*\)/, '()').trim();
+    expect(ours !== '' && general(theirs).includes(general(ours)), `${name}: '${ours}', not '${theirs}'`);
+  }
+  const worst = compare(fit(engine, ['sheet.xlsx'], {}, {}), fitsOf([path.join(folder, 'sheet.xlsx')]), 'a workbook');
+  expect(worst < 1e-9, `a workbook: parameters differ by ${worst}`);
+  return worst;
+}
+
 /// The largest difference of numbers at the same place in two tables, in parts of the column's largest.
 function tablesDiffer(one, other, where) {
   const [ours, theirs] = [one, other].map(text => text.trim().split('\n').map(row => row.split(',')));
@@ -166,8 +195,8 @@ require(path.join(root, 'build/explorer/engine.js'))().then(engine => {
   engine.write('x.csv', 'P,T,A\n1,2,x\n');
   const wrong = fit(engine, ['x.csv'], {}, {});
   expect(/:2:5: column 'A': 'x' is not a number/.test(wrong.error), `a wrong file: ${JSON.stringify(wrong)}`);
-  const areas = compareAreas(engine), [fits, longest] = compareFits(engine), pooled = comparePooled(engine), logs = compareLogs(engine);
-  console.log(`areas within ${areas.toExponential(1)}, parameters within ${fits.toExponential(1)}, of several files ${pooled.toExponential(1)}, of logs ${logs.toExponential(1)}; longest fit of three models ${longest.toFixed(0)} ms`);
+  const areas = compareAreas(engine), [fits, longest] = compareFits(engine), pooled = comparePooled(engine), sheets = compareWorkbooks(engine), logs = compareLogs(engine);
+  console.log(`areas within ${areas.toExponential(1)}, parameters within ${fits.toExponential(1)}, of several files ${pooled.toExponential(1)}, of a workbook ${sheets.toExponential(1)}, of logs ${logs.toExponential(1)}; longest fit of three models ${longest.toFixed(0)} ms`);
   failures.forEach(one => console.log(one));
   fs.rmSync(folder, {recursive: true});
   process.exit(failures.length ? 1 : 0);

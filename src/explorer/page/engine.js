@@ -34,7 +34,7 @@ export async function loadEngine() {
       return law;
     },
     draw: request => asked(engine.draw(JSON.stringify(request))),
-    map: request => maps.call('map', [request, Infinity]),
+    map: request => maps.call('map', [request]),
     definition: name => files.call('definition', [name]),
     write: (name, bytes) => files.write(name, bytes),
     read: (names, constants, asPoints) => files.call('read', [JSON.stringify(names), JSON.stringify(constants), asPoints]),

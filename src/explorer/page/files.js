@@ -18,7 +18,7 @@ export async function parted(files) {
     else stray.push(toml);
   }
   if (data.length && !beside[data[0].name] && stray.length) beside[data[0].name] = stray.shift();
-  const problem = other ? `${other.name} is no table: drop the data as CSV or text, and with them a TOML if there is one.`
+  const problem = other ? `${other.name} is no table: drop the data as CSV, text or .xlsx, and with them a TOML if there is one.`
     : stray.length && data.length ? `${stray[0].name} has the name of no file of data: name it as the file that it belongs to.`
     : data.length || definition ? '' : 'That is a TOML alone: drop the data with it.';
   return {data: data.sort((one, other) => one.name.localeCompare(other.name, 'en', {numeric: true})), beside, definition, problem};
