@@ -48,7 +48,7 @@ function asDrawn({label, look, color, points}, i) {
 /// A time, and its 95 % interval with the digits that this has.
 function at({time, low, high, stated}) {
   if (stated || !(high > low)) return `${shown(time, 6)}${stated ? ' as stated' : ''}`;
-  const digits = Math.min(Math.max(Math.ceil(1 - Math.log10(high - low)), 0), 9);
+  const digits = Math.min(Math.max(Math.ceil(.9 - Math.log10(high - low)), 0), 9);
   return `${time.toFixed(digits)} (${low.toFixed(digits)} … ${high.toFixed(digits)})`;
 }
 
