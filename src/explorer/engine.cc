@@ -1,16 +1,17 @@
 // The engine as called by the page's script: texts in, JSON out. An exception becomes {"error": SENTENCE, "options":
 // [recommended ones]}.
 #include <emscripten/bind.h>
+#include <emscripten/val.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "analysis/answer.h"
 #include "analysis/fit_definition.h"
@@ -21,6 +22,7 @@
 #include "explorer/drawing.h"
 #include "explorer/experiment.h"
 #include "explorer/field_words.h"
+#include "explorer/log.h"
 #include "mechanics/laws/known_laws.h"
 #include "mechanics/regime_map.h"
 #include "report/fit_csv.h"
@@ -49,35 +51,63 @@ void areas_at(const std::string& model, const std::vector<double>& parameters, d
   model_of(model).areas_at(parameters, P, {at(T), n}, {at(A), n}, status);
 }
 
-/// Writes a file for `read` and `fit`: data, or the TOML beside it. Contents are passed as Uint8Array, because
+/// Writes a file for `read`, `cut` and `fit`: data, or the TOML beside it. Contents are passed as Uint8Array, because
 /// JavaScript strings would be converted to UTF-8.
 void write_file(const std::string& name, const std::string& content) {
   std::ofstream(name, std::ios::binary) << content;
 }
 
-/// Constants of the experiment and options as texts by name: {"radius": "9.42 mm"}, {"models": "c"}.
-FitRequest request_of(const std::string& name, const std::string& constants, const std::string& options) {
-  const Json chosen = Json::parse(options), stated = Json::parse(constants);
+using Names = std::vector<std::string>;
+
+Names names_in(const std::string& list) { return Json::parse(list).get<Names>(); }
+
+Overrides constants_in(const std::string& constants) {
+  const Json stated = Json::parse(constants);
+  Overrides overrides;
+  for (const auto& [key, text] : stated.items()) overrides.emplace_back(key, text.get<std::string>());
+  return overrides;
+}
+
+/// Constants of the experiment and options as texts by name: {"radius": "9.42 mm"}, {"models": "c", "peaks": file}.
+FitRequest request_of(const Names& names, const std::string& constants, const std::string& options) {
+  const Json chosen = Json::parse(options);
   FitRequest request;
-  request.data_path = name;
+  request.data_path = names.at(0);
+  if (names.size() > 1)
+    for (const std::string& name : names) request.runs.push_back({name});
   request.words = in_fields;
   for (const auto& [key, text] : chosen.items())
-    if (const std::string problem = set_option(request, key, text.get<std::string>()); !problem.empty())
+    if (key == "peaks")
+      request.peaks_path = text.get<std::string>();
+    else if (const std::string problem = set_option(request, key, text.get<std::string>()); !problem.empty())
       throw InputError(key, problem);
-  for (const auto& [key, text] : stated.items()) request.constants.emplace_back(key, text.get<std::string>());
+  request.constants = constants_in(constants);
   return request;
 }
 
-/// How a written file is read (experiment.h).
-std::string read_file(const std::string& name, const std::string& constants) {
-  return guarded([&] { return as_read(load_dataset(name, request_of(name, constants, "{}").constants)); });
+/// How written files are read, one or several that make one data set (experiment.h). {"log": true} for logs, which
+/// `cut` takes, unless `as_points`.
+std::string read_files(const std::string& list, const std::string& constants, bool as_points) {
+  return guarded([&] {
+    const Names names = names_in(list);
+    const FitRequest request = request_of(names, constants, "{}");
+    if (!as_points && are_logs(names, request.constants)) return Json{{"log", true}};
+    return as_read(names.size() > 1 ? load_pooled(request.runs, request.constants)
+                                    : load_dataset(names[0], request.constants));
+  });
 }
 
-/// Fits a written file. {"fits": schema mixity-fit-1, "answer": {...}, "drawn": (experiment.h), "definition":
-/// "fits/NAME.toml", "used": CSV}.
-std::string fit_file(const std::string& name, const std::string& constants, const std::string& options) {
+/// The loading runs of written logs (log.h).
+std::string cut_files(const std::string& list, const std::string& stem, const std::string& constants) {
+  return guarded([&] { return cut_logs(names_in(list), stem, constants_in(constants)); });
+}
+
+/// Fits written files; calls `progress` with the part that is done. {"fits": schema mixity-fit-1, "answer": {...},
+/// "drawn": (experiment.h), "definition": "fits/NAME.toml", "used": CSV}.
+std::string fit_files(const std::string& list, const std::string& constants, const std::string& options,
+                      emscripten::val progress) {
   return guarded([&] {
-    const Analysis result = run(request_of(name, constants, options));
+    const Analysis result = run(request_of(names_in(list), constants, options), [&](double part) { progress(part); });
     return Json{{"fits", Json::parse(to_json({result}))},
                 {"answer", as_told(answer_of(result), result.data)},
                 {"drawn", as_drawn(result)},
@@ -86,11 +116,21 @@ std::string fit_file(const std::string& name, const std::string& constants, cons
   });
 }
 
-/// Defines a law in the syntax of the flag --law. {"model": key, "shown", "parameters": [{"name", "lower", "upper",
-/// "start"}], "warnings": [text]}.
+/// Defines a law in the syntax of the flag --law in place of the last one, which stays if this one is wrong. {"model":
+/// key, "shown", "parameters": [{"name", "lower", "upper", "start"}], "warnings": [text]}.
 std::string define(const std::string& text) {
   return guarded([&] {
-    const DefinedLaw defined = define_law_text("law", text);
+    std::vector<std::shared_ptr<const UserLaw>> former;
+    for (const std::string& key : law_keys()) former.push_back(find_law(key));
+    forget_laws();
+    DefinedLaw defined;
+    try {
+      defined = define_law_text("law", text);
+    } catch (...) {
+      LawError none;  // they were defined before
+      for (const auto& law : former) add_law(law, none);
+      throw;
+    }
     const LawDefinition& law = defined.law->definition();
     const auto parameter = [](const LawParameter& one) {
       return Json{{"name", one.name}, {"lower", one.lower}, {"upper", one.upper}, {"start", one.start}};
@@ -102,8 +142,8 @@ std::string define(const std::string& text) {
   });
 }
 
-/// Reads a written fit definition: {"data": name} and the fields of request_fields. Forgets all laws before and after,
-/// since typed laws may have the keys of its laws.
+/// Reads a written fit definition: {"data": [name]} and the fields of request_fields. Forgets all laws before and
+/// after, since typed laws may have the keys of its laws.
 std::string read_definition(const std::string& name) {
   return guarded([&] {
     struct Forgetting {
@@ -111,9 +151,16 @@ std::string read_definition(const std::string& name) {
       ~Forgetting() { forget_laws(); }
     } before_and_after;
     const FitRequest request = read_fit_definition(name);
-    if (!request.runs.empty())
-      throw InputError(name, "it is of several files, which the program pools: mixity fit " + name);
-    Json told{{"data", std::filesystem::path(request.data_path).filename().string()}};
+    const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+    Json data = Json::array();
+    if (request.runs.empty()) data.push_back(name_of(request.data_path));
+    for (const RunFile& run : request.runs) {
+      if (!run.name.empty() || !run.load.empty() || !run.sphere.empty())
+        throw InputError(name,
+                         "states names, loads or spheres of runs, which only the program takes: mixity fit " + name);
+      data.push_back(name_of(run.path));
+    }
+    Json told{{"data", data}};
     told.update(request_fields(request, request.constants));
     return told;
   });
@@ -131,26 +178,15 @@ RegimeMap map_for(const Json& request) {
 }
 
 /// A map of regimes for {"model", "parameters": [value], "axis": index of the parameter, "low", "high": its ends,
-/// "logarithmic", "P_low", "P_high"}, loads dimensionless. Works for about `milliseconds`, at least one line, and
-/// returns {} until the map is complete, so that the page can do other things before it asks again. Then returns
-/// {"regions": [{"regime", "outline": [[P, parameter]]}]}. A new request replaces an unfinished one.
-std::string map_of(const std::string& request, double milliseconds) {
+/// "logarithmic", "P_low", "P_high"}, loads dimensionless: {"regions": [{"regime", "outline": [[P, parameter]]}]}.
+std::string map_of(const std::string& request) {
   return guarded([&] {
-    static std::string asked;
-    static std::optional<RegimeMap> map;
-    if (!map || request != asked) map.emplace(map_for(Json::parse(request)));
-    asked = request;
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    while (map->add_line())
-      if (std::chrono::duration<double, std::milli>(Clock::now() - begin).count() >= milliseconds)
-        return Json::object();
-    const auto regions = list_of(map->regions(false), [](const RegimeRegion& region) {
-      return Json{{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
-                  {"outline", region.outline}};
-    });
-    map.reset();
-    return Json{{"regions", regions}};
+    RegimeMap map = map_for(Json::parse(request));
+    while (map.add_line()) continue;
+    return Json{{"regions", list_of(map.regions(false), [](const RegimeRegion& region) {
+                   return Json{{"regime", region.regime ? regime_text(*region.regime) : "no unique equilibrium"},
+                               {"outline", region.outline}};
+                 })}};
   });
 }
 
@@ -160,8 +196,9 @@ EMSCRIPTEN_BINDINGS(mixity) {
   emscripten::register_vector<double>("Doubles");
   emscripten::function("areas", &areas_at);
   emscripten::function("write", &write_file);
-  emscripten::function("read", &read_file);
-  emscripten::function("fit", &fit_file);
+  emscripten::function("read", &read_files);
+  emscripten::function("cut", &cut_files);
+  emscripten::function("fit", &fit_files);
   emscripten::function("definition", &read_definition);
   emscripten::function("define", &define);
   emscripten::function("draw", &draw);

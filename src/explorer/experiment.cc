@@ -86,7 +86,6 @@ Json as_read(const Dataset& data) {
             {"taken", data.taken},
             {"ignored", data.ignored_columns},
             {"notes", list_of(data.notes, [](const Message& note) { return note.text(in_fields); })},
-            {"log", data.like_a_log},
             {"points", data.points.size()},
             {"rows", data.rows},
             {"units", {{"force", data.display.force}, {"area", data.display.area}}},
@@ -100,8 +99,11 @@ Json as_read(const Dataset& data) {
         std::tuple("toughness", stated.toughness, "J/m^2"), std::tuple("shear_strength", stated.shear_strength, "Pa"),
         std::tuple("load_offset", stated.load_offset, "N"), std::tuple("shear_offset", stated.shear_offset, "N")})
     if (value) constants[name]["shown"] = as_typed(*value, stated.standard_error(name), unit);
-  told["excluded"] = list_of(listed, [](const Excluded& one) {
-    return Json{{"line", one.line}, {"reason", one.reason}};
+  told["excluded"] = list_of(listed, [&](const Excluded& one) {
+    return Json{{"where", data.line_text(one.line)}, {"reason", one.reason}};
+  });
+  told["files"] = list_of(data.files, [](const SourceFile& file) {
+    return Json{{"name", file.path.substr(file.path.find_last_of('/') + 1)}, {"first_line", file.first_line}};
   });
   told["excluded_count"] = data.excluded.size();
   told["constants"] = constants;

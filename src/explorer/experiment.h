@@ -12,9 +12,10 @@ namespace mixity::explorer {
 using Json = nlohmann::ordered_json;
 
 /// How a file was read: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded_count",
-/// "excluded": [{"line", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice" (for
-/// reconstructed data), "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads
-/// "energies": {"lines", "psi", "f"} in place of runs.
+/// "excluded": [{"where", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice"
+/// (for reconstructed data), "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A"}]}; without loads
+/// "energies": {"lines", "psi", "f"} in place of runs. Lines are counted through all "files": [{"name", "first_line"}],
+/// which is empty for one file.
 Json as_read(const Dataset& data);
 
 /// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as at the

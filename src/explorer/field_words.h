@@ -12,7 +12,7 @@ inline std::string in_fields(const Remedy& remedy) {
   if (remedy.kind == Remedy::Kind::given || remedy.kind == Remedy::Kind::state) return "";
   const auto& [first, value, placeholder] = remedy.choices[0];
   if (first == "columns") return "write " + value + " under “Take other columns”";
-  if (first == "load" || first == "pixel") return '"' + value + "\" under “More of the file”";
+  if (first == "load" || first == "pixel" || first == "sheet") return '"' + value + "\" under “More of the file”";
   std::string options;
   for (const Remedy::Choice& one : remedy.choices)
     options += (options.empty() ? "" : ", ") + one.option + (one.value.empty() ? "" : "=\"" + one.value + '"');

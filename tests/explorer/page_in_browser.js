@@ -4,6 +4,7 @@ const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const {execFileSync} = require('child_process');
+const {workbookOf} = require('./workbook.js');
 const root = path.resolve(__dirname, '../..');
 const built = path.join(root, 'build/explorer');
 const {chromium} = require(path.join(built, 'node_modules/playwright-core'));
@@ -43,7 +44,7 @@ async function dropAndFit(page) {
     return list;
   }, [...bytes]);
   await page.dispatchEvent('#drop', 'drop', {dataTransfer: transfer});
-  await page.waitForSelector('#trouble:not([hidden])');
+  await page.waitForFunction(() => document.getElementById('busy').hidden && /^messung/.test(document.getElementById('read-title').textContent));
   expect(/radius/.test(await page.textContent('#trouble')), `without constants: ${await page.textContent('#trouble')}`);
   expect(/Normalkraft/.test(await page.textContent('#taken')), 'the columns are shown before the constants are known');
   await page.fill('[name=radius]', '9.42 mm');
@@ -156,6 +157,158 @@ async function droppedBack(page, data, definition, withLaw, cropped) {
   await same(cropped, 'a definition without the law');
 }
 
+/// A file for each load: one data set, whose lines are those of its files; its definition runs in the program.
+async function severalFiles(page) {
+  const [head, ...rows] = fs.readFileSync(path.join(root, 'data/mergel2018.csv'), 'utf8').trim().split('\n').filter(row => !row.startsWith('#'));
+  const curves = [...new Set(rows.map(row => row.split(',')[0]))], names = curves.map((_, i) => `run_${i + 1}.csv`);
+  names.forEach((name, i) => fs.writeFileSync(path.join(folder, name), [head, ...rows.filter(row => row.split(',')[0] === curves[i])].join('\n') + '\n'));
+  fs.copyFileSync(path.join(root, 'data/mergel2018.toml'), path.join(folder, 'constants.toml'));
+  await page.setInputFiles('#file', [...names, 'constants.toml'].map(name => path.join(folder, name)));
+  await page.waitForFunction(() => /^run_1.csv and/.test(document.getElementById('read-title').textContent) && window.explorer.experiment.result);
+  await page.selectOption('#run', '1');
+  const last = await page.evaluate(() => window.explorer.experiment.kept[1][1]);
+  await page.fill('#crop-last', String(last - 1));
+  await page.dispatchEvent('#crop-last', 'change');
+  await idle(page);
+  const result = await page.evaluate(() => window.explorer.experiment.result);
+  expect(/^exclude = .*run_2.csv:/m.test(result.definition), `the cuts of several files: ${result.definition}`);
+  const toml = await saved(page, 'toml');
+  fitsOf(run(['fit', toml, '--format=json'])).forEach((fit, i) => sameFit(result.fits.datasets[0].fits[i], fit, 'several files'));
+  await page.click('#sample');
+  await idle(page);
+  await page.setInputFiles('#file', [...names, 'constants.toml', path.basename(toml)].map(name => path.join(folder, name)));
+  await page.waitForFunction(n => window.explorer.experiment.result && window.explorer.experiment.kept[1]?.[1] === n, last - 2);
+}
+
+/// A log of `rows` rows, each with an area, of these loads in mN: areas of model c, lambda 0.004, to 0.95 of the largest T.
+/// Its noise repeats.
+function logOf(rows, loads) {
+  const R = 9.42e-3, G = 27e-3, force = 1e3 * R * G, area = 1e6 * R ** 2 / (2.133e6 * R / G) ** (2 / 3), lambda = .004;
+  const A = (P, T) => area * Math.PI * (.75 * (3 * Math.PI + Math.sqrt(Math.max(9 * Math.PI ** 2 + 6 * Math.PI * P / force - lambda * (T / force) ** 2, 0)) + P / force)) ** (2 / 3);
+  let seed = 1;
+  const uniform = () => (seed = seed * 16807 % 2147483647) / 2147483647, noise = () => uniform() + uniform() + uniform() - 1.5;
+  const text = ['time [s],P [mN],T [mN],A [mm^2]'], each = Math.floor(rows / loads.length);
+  loads.forEach((load, run) => {
+    const most = .95 * force * Math.sqrt((9 * Math.PI ** 2 + 6 * Math.PI * load / force) / lambda);
+    for (let i = 0; i < each; ++i) {
+      const s = i / each, T = s < .35 ? 0 : s < .6 ? most * (s - .35) / .25 : s < .8 ? .7 * most : 0;
+      const P = s < .1 || s > .95 ? 0 : Math.min(load, load * (s - .1) / .05), touching = P > 0;
+      text.push([(run * each + i) / 100, P + .3 + .1 * noise(), T + 2 + noise(), touching ? A(P, s < .6 ? T : .75 * most) * (1 + .01 * noise()) : .0005 * noise()].join(','));
+    }
+  });
+  return text.join('\n') + '\n';
+}
+
+/// Fits, and moves a slider meanwhile. The longest task of the page's main thread is measured on the thread's own clock,
+/// since other programs of the machine take its time, too.
+async function watchedFit(page) {
+  const browser = page.context().browser();
+  await browser.startTracing(page, {categories: ['toplevel']});
+  const begin = Date.now(), parts = new Set();
+  const part = () => page.evaluate(() => !document.getElementById('busy').hidden && document.getElementById('busy-part').getAttribute('value'));
+  await page.click('#constants button');
+  await page.waitForFunction(() => document.getElementById('busy-part').getAttribute('value') > 0);
+  await page.focus('#slider-c');
+  for (let now = await part(); now !== false; now = await part()) {
+    parts.add(now);
+    await page.keyboard.press('ArrowLeft');
+  }
+  const {traceEvents} = JSON.parse((await browser.stopTracing()).toString()), fit = Date.now() - begin;
+  const mains = traceEvents.filter(({name, args}) => name === 'thread_name' && args.name === 'CrRendererMain').map(({pid, tid}) => `${pid}:${tid}`);
+  const times = traceEvents.filter(({name, ph, pid, tid}) => /RunTask$/.test(name) && ph === 'X' && mains.includes(`${pid}:${tid}`)).map(({tdur}) => tdur / 1000);
+  await idle(page);
+  return {fit, parts: parts.size, tasks: times.length, longest: Math.max(...times), points: await page.evaluate(() => window.explorer.experiment.told.points)};
+}
+
+/// A log over time is cut as by `mixity runs`, and a long fit leaves the page free, can be stopped and begun again.
+async function logOverTime(page) {
+  const log = ['csv', 'toml'].map(ending => path.join(root, 'data', `shear_log.${ending}`));
+  await page.setInputFiles('#file', log);
+  await page.waitForFunction(() => /^shear_log.csv: a log with 3 loading runs/.test(document.getElementById('read-title').textContent) && window.explorer.experiment.result);
+  const result = await page.evaluate(() => window.explorer.experiment.result), out = path.join(folder, 'out');
+  run(['runs', log[0], `--out=${out}`]);
+  fitsOf(run(['fit', path.join(out, 'fit.toml'), '--format=json'])).forEach((fit, i) => sameFit(result.fits.datasets[0].fits[i], fit, 'a log'));
+  const [runs, constants, toml] = [await saved(page, 'runs'), await saved(page, 'constants'), await saved(page, 'toml')];
+  expect(path.basename(constants) === path.basename(runs).replace('.csv', '.toml'), `${runs} has its constants in ${constants}`);
+  await saved(page, 'peaks');
+  fitsOf(run(['fit', toml, '--format=json'])).forEach((fit, i) => sameFit(result.fits.datasets[0].fits[i], fit, 'the saved runs of a log'));
+  const rows = (await page.$$eval('#log-runs tbody tr', all => all.map(row => row.textContent.replace(/\s+/g, ' '))));
+  expect(rows.length === 3 && rows.every(row => /P=.*\(.* … .*\).*\(.* … .*\)/.test(row)), `the table of runs: ${rows}`);
+  for (const run of ['0', '2']) {
+    await page.selectOption('#log-run', run);
+    await page.waitForTimeout(200);
+    const drawn = await page.evaluate(() => Object.values(window.explorer.experiment.cuts.charts).map(({chart}) => chart.getOption().series.map(one => [one.name, one.data.length])));
+    expect(drawn.every(series => series.some(([name]) => name === 'kept') && series.some(([name]) => name === 'cuts, 95% shaded')), `the figures of run ${run} have ${JSON.stringify(drawn)}`);
+    expect(drawn[0].some(([name, n]) => name === 'maximum of T' && n > 0), `no peaks of run ${run}`);
+  }
+  if (shots) await page.screenshot({path: path.join(shots, 'log.png'), fullPage: true});
+
+  // what the user says is no log is read as points; without constants the cuts are shown all the same
+  await page.click('#as-points');
+  await page.waitForFunction(() => /^shear_log.csv: \d+ of \d+ rows/.test(document.getElementById('read-title').textContent));
+  await page.setInputFiles('#file', {name: 'long.csv', mimeType: 'text/csv', buffer: Buffer.from(logOf(6000, [1, 2, 4, 8]))});
+  await page.waitForFunction(() => /^long.csv: a log with 4/.test(document.getElementById('read-title').textContent) && /radius/.test(document.getElementById('trouble').textContent));
+  expect(await page.isVisible('#log-runs') && !(await page.isVisible('#downloads')), 'without constants the cuts are not shown');
+
+  // a long fit leaves the page free
+  for (const [name, text] of [['radius', '9.42 mm'], ['modulus', '2.133 MPa'], ['toughness', '27 mJ/m^2']]) await page.fill(`[name=${name}]`, text);
+  longFit = await watchedFit(page);
+  expect(longFit.fit > 1000 && longFit.parts > 3, `the fit of ${longFit.points} points takes ${longFit.fit} ms and tells ${longFit.parts} parts`);
+  expect(longFit.tasks > 20 && longFit.longest < 100, `during a fit of ${longFit.fit} ms the longest of ${longFit.tasks} tasks of the page takes ${longFit.longest} ms`);
+
+  // stopped: no result, no waiting; begun again, the same numbers
+  const lambda = () => page.evaluate(() => window.explorer.experiment.result?.fits.datasets[0].fits.map(fit => fit.parameters.lambda.value));
+  const found = await lambda();
+  await page.click('#constants button');
+  await page.waitForFunction(() => /^Fitting/.test(document.getElementById('busy-says').textContent));
+  const begin = Date.now();
+  await page.click('#stop');
+  await page.waitForFunction(() => /^Stopped/.test(document.getElementById('trouble').textContent) && document.getElementById('busy').hidden);
+  expect(Date.now() - begin < 1000 && await lambda() === undefined && !(await page.isVisible('#downloads')), 'a stopped fit leaves a result');
+  await page.click('#constants button');
+  await page.waitForFunction(() => window.explorer.experiment.result, undefined, {timeout: 120000});
+  expect(JSON.stringify(await lambda()) === JSON.stringify(found), `after a stop ${await lambda()}, before ${found}`);
+
+  // forces and areas in two files
+  const fields = fs.readFileSync(log[0], 'utf8').trim().split('\n').map(row => row.split(','));
+  await page.setInputFiles('#file', [['forces.csv', fields.map(row => row.slice(0, 3))], ['areas.csv', fields.filter(row => row[3]).map(row => [row[0], row[3]])]]
+    .map(([name, lines]) => ({name, mimeType: 'text/csv', buffer: Buffer.from(lines.join('\n') + '\n')})).concat({name: 'forces.toml', mimeType: 'application/toml', buffer: fs.readFileSync(log[1])}));
+  await page.waitForFunction(() => /^areas.csv and 1 more: a log with 3/.test(document.getElementById('read-title').textContent) && window.explorer.experiment.result);
+}
+let longFit = null;
+
+/// Files that are dropped before the engine has started wait for it; where the browser refuses workers, the page says so.
+async function earlyAndRefused(browser, address) {
+  const early = await browser.newPage();
+  await early.addInitScript(() => {
+    const compile = WebAssembly.compile;
+    WebAssembly.compile = bytes => new Promise(resolve => setTimeout(resolve, 1500)).then(() => compile(bytes));
+  });
+  await early.goto(address);
+  await early.setInputFiles('#file', ['csv', 'toml'].map(ending => path.join(root, 'data', `mergel2018.${ending}`)));
+  await early.waitForFunction(() => /^Starting the engine/.test(document.getElementById('busy-says').textContent));
+  expect(!(await early.evaluate(() => window.explorer)), 'the engine started at once');
+  await early.waitForFunction(() => window.explorer?.experiment.result);
+  await early.close();
+
+  const refused = await browser.newPage(), page = path.join(folder, 'no_workers.html');
+  fs.writeFileSync(page, fs.readFileSync(path.join(built, 'explorer.html'), 'utf8').replace(' worker-src blob:;', ''));
+  await refused.goto('file://' + page);
+  await refused.waitForFunction(() => window.explorer);
+  await refused.click('#sample');
+  await refused.waitForFunction(() => /does not allow it a worker.*Save the page as a file/.test(document.getElementById('trouble').textContent));
+  expect(/Model c \(λ = /.test(await refused.textContent('#says')), 'without workers the sliders are dead');
+  await refused.close();
+}
+
+const idle = page => page.waitForFunction(() => document.getElementById('busy').hidden && window.explorer.experiment.result, undefined, {timeout: 120000});
+
+function sameFit(one, other, where) {
+  expect(one.status === other.status, `${where} ${one.model}: ${one.status}, not ${other.status}`);
+  expect(near(one.parameters.lambda.value, other.parameters.lambda.value, 1e-9), `${where} ${one.model}: ${one.parameters.lambda.value}, not ${other.parameters.lambda.value}`);
+  expect(near(one.parameters.lambda.stderr, other.parameters.lambda.stderr, 1e-6), `${where} ${one.model}: errors`);
+}
+
 const flags = ['--radius=9.42 mm', '--modulus=2.133 MPa +/- 2%', '--toughness=27 mJ/m^2', '--format=json'];
 
 async function main() {
@@ -231,21 +384,17 @@ async function main() {
   await page.press('#law', 'Enter');
   expect(await page.inputValue('#map-model') === 'b', 'without a law the map is of a model that there is');
 
-  // several at once, before anything was read: there is nothing to fit
+  // a picture, before anything was read: there is nothing to fit
   const table = (name, text) => ({name, mimeType: 'text/csv', buffer: Buffer.from(text)});
-  await page.setInputFiles('#file', ['one.csv', 'two.csv'].map(name => table(name, 'P [mN],T [mN],A [mm^2]\n1,2,3\n')));
-  await page.waitForFunction(() => /One file of data at a time/.test(document.getElementById('trouble').textContent));
+  await page.setInputFiles('#file', [table('one.csv', 'P [mN],T [mN],A [mm^2]\n1,2,3\n'), table('two.png', '')]);
+  await page.waitForFunction(() => /two.png is no table/.test(document.getElementById('trouble').textContent));
   expect(!(await page.isVisible('#constants')), 'there is a form without a file');
 
   // a file of one's own
   const file = await dropAndFit(page);
   const ours = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
   const theirs = fitsOf(run(['fit', file, ...flags]));
-  const same = (one, other, where) => {
-    expect(one.status === other.status, `${where} ${one.model}: ${one.status}, not ${other.status}`);
-    expect(near(one.parameters.lambda.value, other.parameters.lambda.value, 1e-9), `${where} ${one.model}: ${one.parameters.lambda.value}, not ${other.parameters.lambda.value}`);
-    expect(near(one.parameters.lambda.stderr, other.parameters.lambda.stderr, 1e-6), `${where} ${one.model}: errors`);
-  };
+  const same = sameFit;
   ours.forEach((fit, i) => same(fit, theirs[i], 'dropped'));
   if (shots) await page.screenshot({path: path.join(shots, 'fit.png'), fullPage: true});
 
@@ -268,6 +417,8 @@ async function main() {
   const before = await page.evaluate(() => window.explorer.experiment.kept[2][1]);
   await page.fill('#crop-last', String(before - 2));
   await page.dispatchEvent('#crop-last', 'change');
+  await idle(page);
+  await page.waitForTimeout(150);  // until it is drawn
   const place = await page.evaluate(() => {
     const entry = window.explorer.experiment.figures.run, box = document.getElementById('chart-run');
     box.scrollIntoView({block: 'center'});
@@ -279,7 +430,7 @@ async function main() {
   await page.mouse.down();
   for (let i = 1; i <= 8; ++i) await page.mouse.move(place.from + (place.to - place.from) * i / 8, place.y);
   await page.mouse.up();
-  await page.waitForTimeout(200);
+  await idle(page);
   const after = await page.evaluate(() => window.explorer.experiment.kept[2][1]);
   expect(after === before - 6, `dragged to ${after}, not ${before - 6}`);
   const cropped = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
@@ -294,11 +445,11 @@ async function main() {
   expect(/^<svg[^]*<path/.test(fs.readFileSync(svg, 'utf8')), 'an SVG with curves');
   expect(fs.readFileSync(png).subarray(1, 4).toString() === 'PNG', 'a PNG');
   await droppedBack(page, file, toml, withOwn.definition, cropped);
-  const fitted = await page.evaluate(() => {
+  const fitted = await page.evaluate(async () => {
     const {engine, experiment} = window.explorer, times = [];
     for (let i = 0; i < 9; ++i) {
       const begin = performance.now();
-      engine.fit(experiment.name, experiment.constants(), {models: 'c'});
+      await engine.fit([experiment.name], experiment.constants(), {models: 'c'}, () => {});
       times.push(performance.now() - begin);
     }
     return [times.sort((x, y) => x - y)[4], experiment.told.points, experiment.time];
@@ -308,11 +459,27 @@ async function main() {
   await page.setInputFiles('#file', {name: 'wrong.csv', mimeType: 'text/csv', buffer: Buffer.from('P [mN],T [mN],A [mm^2]\n1,2,x\n')});
   await page.waitForFunction(() => /wrong.csv:2:5/.test(document.getElementById('trouble').textContent));
 
-  // a log is not taken for points
-  await page.setInputFiles('#file', ['csv', 'toml'].map(ending => path.join(root, 'data', `shear_log.${ending}`)));
-  await page.waitForFunction(() => /mixity runs shear_log.csv/.test(document.getElementById('trouble').textContent));
-  await page.waitForTimeout(100);
-  expect(await page.evaluate(() => !window.explorer.experiment.result && !document.getElementById('busy').textContent), 'a log is fitted unasked');
+  await severalFiles(page);
+  await logOverTime(page);
+
+  // a workbook, whose sheet is chosen
+  const cells = fs.readFileSync(path.join(root, 'data/mergel2018.csv'), 'utf8').trim().split('\n').filter(row => !row.startsWith('#')).map(row => row.split(','));
+  const book = workbookOf({'All runs': cells, 'Less': cells.slice(0, 101)});
+  const xlsx = {name: 'book.xlsx', mimeType: 'application/zip', buffer: book}, beside = {name: 'book.toml', mimeType: 'application/toml', buffer: fs.readFileSync(path.join(root, 'data/mergel2018.toml'))};
+  fs.writeFileSync(path.join(folder, xlsx.name), book);
+  fs.writeFileSync(path.join(folder, beside.name), beside.buffer);
+  const sheet = async (words, rows) => {
+    await page.waitForFunction(wanted => document.getElementById('read-title').textContent.startsWith(`book.xlsx: ${wanted} of`) && window.explorer.experiment.result, rows);
+    const fits = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
+    fitsOf(run(['fit', xlsx.name, '--format=json', ...words])).forEach((fit, i) => sameFit(fits[i], fit, `a workbook ${words}`));
+  };
+  await page.setInputFiles('#file', [xlsx, beside]);
+  await sheet([], cells.length - 1);
+  expect(/to read another \('Less'\): "Less" under .More of the file/.test(await page.textContent('#taken')), `of a workbook: ${await page.textContent('#taken')}`);
+  await page.evaluate(() => { document.getElementById('more').open = true; });
+  await page.fill('[name=sheet]', 'Less');
+  await page.click('#constants button');
+  await sheet(['--sheet=Less'], 100);
 
   // neither loads nor areas as they are: both are said below the constants
   await page.setInputFiles('#file', table('camera.csv', 'T [mN],A [px]\n0,80000\n10,79500\n20,78000\n30,75000\n'));
@@ -360,10 +527,10 @@ async function main() {
   const onLine = await page.evaluate(() => {
     const entry = window.explorer.experiment.figures.run;
     entry.chart.dispatchAction({type: 'dataZoom', dataZoomIndex: 0, start: 0, end: 50});
-    const line = entry.chart.getOption().graphic[0].elements.find(one => one.id === 'first');
-    const there = entry.chart.convertToPixel({xAxisIndex: 0}, .5);
+    const line = entry.handles.get('first');
+    const off = Math.abs(line.x - entry.chart.convertToPixel({xAxisIndex: 0}, .5));
     entry.showAll();
-    return Math.abs(line.x - there);
+    return off;
   });
   expect(onLine < 1, `zoomed, the crop line is ${onLine} px off`);
   await page.evaluate(() => { location.hash = 'c=-1&E=abc&R=0&P=5'; });
@@ -382,8 +549,9 @@ async function main() {
     }
   const unnamed = await page.evaluate(() => [...document.querySelectorAll('input, select, button')].filter(one => !(one.labels?.length || one.getAttribute('aria-label') || one.textContent.trim())).map(one => one.outerHTML));
   expect(unnamed.length === 0, `controls without a name: ${unnamed}`);
+  await earlyAndRefused(browser, address);
   expect(told.length === 0, `the console says: ${told.join('; ')}`);
-  console.log(`opened in ${opened} ms, ${(size / 1e6).toFixed(2)} MB; a slider's step of three models ${redraws[0].toFixed(1)} ms a frame, with the map of a law of one's own ${stepOfOwn.toFixed(1)} ms, all figures in ${redraws[1].toFixed(0)} ms; fit of model c to ${fitted[1]} points with its interval and tests ${fitted[0].toFixed(0)} ms, of three models ${fitted[2].toFixed(0)} ms`);
+  console.log(`opened in ${opened} ms, ${(size / 1e6).toFixed(2)} MB; a slider's step of three models ${redraws[0].toFixed(1)} ms a frame, with the map of a law of one's own ${stepOfOwn.toFixed(1)} ms, all figures in ${redraws[1].toFixed(0)} ms; fit of model c to ${fitted[1]} points with its interval and tests ${fitted[0].toFixed(0)} ms, of three models ${fitted[2].toFixed(0)} ms; during ${(longFit.fit / 1000).toFixed(1)} s of a fit to ${longFit.points} points of a log the longest task of the page's main thread takes ${longFit.longest.toFixed(0)} ms`);
   await browser.close();
 }
 

@@ -16,12 +16,10 @@ export function howRead(told, from, whole, hidden) {
   if (!whole) return sentences;
   sentences.push(...told.notes);
   for (const [name, text] of Object.entries(told.constants)) if (hidden(name)) sentences.push(`${name} = ${text.shown}`);
-  for (const one of told.excluded) sentences.push(`line ${one.line} left out: ${one.reason}`);
+  for (const one of told.excluded) sentences.push(`${one.where} left out: ${one.reason}`);
   if (told.excluded_count > told.excluded.length) sentences.push(`and ${told.excluded_count - told.excluded.length} more lines`);
   return sentences;
 }
-
-export const looksLikeALog = name => `${name} looks like a log over time. The program makes loading runs of it (mixity runs ${name}): drop the runs.csv that it writes, with runs.toml. Fit takes the rows as they are.`;
 
 const percent = part => `${shown(100 * part, 2)} %`;
 

@@ -1,14 +1,15 @@
 // Figures by Apache ECharts: axes, hover, zoom, drag, SVG and PNG. The data come from the engine.
 import * as echarts from 'echarts/core';
 import {CustomChart, LineChart, ScatterChart} from 'echarts/charts';
-import {DataZoomInsideComponent, GraphicComponent, GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
+import {DataZoomInsideComponent, GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
 import {CanvasRenderer, SVGRenderer} from 'echarts/renderers';
 
-echarts.use([CustomChart, LineChart, ScatterChart, DataZoomInsideComponent, GraphicComponent, GridComponent,
+echarts.use([CustomChart, LineChart, ScatterChart, DataZoomInsideComponent, GridComponent,
   LegendComponent, TooltipComponent, CanvasRenderer, SVGRenderer]);
 
 const charts = new Set();
-const token = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const atOnce = 100;  // marks that are drawn one by one; more as one path, which is ten times as fast
+export const token = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 export const color = i => token(`--color-${i}`);
 export const colorOfModel = {a: 1, b: 2, c: 3};
 
@@ -28,12 +29,12 @@ export function axis(name, extra) {
 export function figure(id, axes, more = {}) {
   const element = document.getElementById(id);
   const chart = echarts.init(element, null, {renderer: 'canvas'});
-  const entry = {chart, axes, more};
+  const entry = {chart, axes, more, hovers: new Map(), handles: new Map()};  // hovers: what a series says of its points, point => HTML
   const frame = () => ({
     animation: false, textStyle: {fontFamily: getComputedStyle(document.body).fontFamily},
     grid: {left: 62, right: 16, top: 34, bottom: 46, ...more.grid},
     legend: {top: 0, formatter: name => brief(name, element.clientWidth), textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
-    tooltip: {trigger: 'item', confine: true, formatter: told},
+    tooltip: {trigger: 'item', confine: true, formatter: one => entry.hovers.get(one.seriesId)?.(one.dataIndex) ?? told(one)},
     dataZoom: [{type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'},
       {type: 'inside', yAxisIndex: axes.y2 ? [0, 1] : 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'}],
     xAxis: axis(axes.x.name, axes.x), yAxis: axes.y2
@@ -48,6 +49,7 @@ export function figure(id, axes, more = {}) {
   new ResizeObserver(() => { chart.resize(); entry.resized?.(); }).observe(element);
   charts.add(entry);
   entry.draw = (series, label, extra = {}) => {
+    entry.hovers = new Map(series.map(({id, hover}) => [id, hover]));
     chart.setOption({...extra, series}, {replaceMerge: ['series']});
     element.setAttribute('aria-label', label);
   };
@@ -65,7 +67,7 @@ function told({seriesName, value, data}) {
 export const line = (id, name, data, color, type = 'solid', extra = {}) =>
   ({id, name, type: 'line', data, showSymbol: false, silent: true, color, lineStyle: {type, width: 2, color}, ...extra});
 export const marks = (id, name, data, color, symbol, extra = {}) =>
-  ({id, name, type: 'scatter', data, symbol, symbolSize: 9, color, itemStyle: {color: 'transparent', borderColor: color, borderWidth: 1.6}, ...extra});
+  ({id, name, type: 'scatter', data, large: true, largeThreshold: atOnce, symbol, symbolSize: 9, color, itemStyle: {color: 'transparent', borderColor: color, borderWidth: 1.6}, ...extra});
 
 /// Filled outlines: [{name, outline, color, opacity}].
 export function areas(list) {
@@ -75,33 +77,66 @@ export function areas(list) {
   }));
 }
 
-/// A dashed line at x that can be dragged; calls `moved(x)` unless it hardly moved.
+const queue = new Map();
+
+/// Does one drawing a frame, so that the page can do other things between them. A later one of the same name replaces one
+/// that waits.
+export function inTurn(name, work) {
+  if (!queue.size) requestAnimationFrame(drawNext);
+  queue.set(name, work);
+}
+
+function drawNext() {
+  const [name, work] = queue.entries().next().value;
+  queue.delete(name);
+  if (queue.size) requestAnimationFrame(drawNext);
+  work();
+}
+
+/// A dashed line at x that can be dragged; calls `moved(x)` unless it hardly moved. It is no part of the figure, so that
+/// moving it draws nothing else again. A line that is being dragged stays where it is.
 export function handle(entry, id, x, moved) {
-  const {chart} = entry;
-  const place = chart.convertToPixel({xAxisIndex: 0}, x);
-  const height = chart.getHeight(), bottom = 46, top = 34;
-  return {
-    id, type: 'line', draggable: 'horizontal', x: place, y: 0, z: 100, cursor: 'ew-resize',
-    shape: {x1: 0, y1: top, x2: 0, y2: height - bottom}, style: {stroke: token('--alert'), lineWidth: 2, lineDash: [5, 4], lineCap: 'butt'},
-    ignore: !Number.isFinite(place),
-    ondragend() {
-      if (Math.abs(this.x - place) < 3) entry.resized?.();
-      else moved(chart.convertFromPixel({xAxisIndex: 0}, this.x));
-    },
+  const {chart, handles} = entry, place = chart.convertToPixel({xAxisIndex: 0}, x), bottom = 46, top = 34;
+  let line = handles.get(id);
+  if (line?.held) return;
+  if (!line) {
+    handles.set(id, line = new echarts.graphic.Line({draggable: 'horizontal', z: 100, cursor: 'ew-resize'}));
+    line.on('dragstart', () => { line.held = true; });
+    line.on('dragend', () => {
+      line.held = false;
+      line.dropped();
+    });
+    chart.getZr().add(line);
+  }
+  line.attr({x: place, y: 0, ignore: !Number.isFinite(place), shape: {x1: 0, y1: top, x2: 0, y2: chart.getHeight() - bottom},
+    style: {stroke: token('--alert'), lineWidth: 2, lineDash: [5, 4], lineCap: 'butt'}});
+  line.dropped = () => {
+    if (Math.abs(line.x - place) < 3) entry.resized?.();
+    else moved(chart.convertFromPixel({xAxisIndex: 0}, line.x));
   };
+}
+
+export function removeHandles({chart, handles}) {
+  for (const line of handles.values()) chart.getZr().remove(line);
+  handles.clear();
 }
 
 /// The figure as a file's text or bytes, in the page's colours.
 export function svgOf(entry) {
   const {chart} = entry;
   const twin = echarts.init(null, null, {renderer: 'svg', ssr: true, width: chart.getWidth(), height: chart.getHeight()});
-  twin.setOption({...chart.getOption(), graphic: [], backgroundColor: token('--paper'), animation: false});
+  twin.setOption({...chart.getOption(), backgroundColor: token('--paper'), animation: false});
   const text = twin.renderToSVGString();
   twin.dispose();
   return text;
 }
-export const pngOf = entry =>
-  fetch(entry.chart.getDataURL({type: 'png', pixelRatio: 3, backgroundColor: token('--paper'), excludeComponents: ['graphic']})).then(r => r.blob());
+export async function pngOf({chart, handles}) {
+  const hidden = on => [...handles.values()].forEach(line => line.attr({invisible: on}));
+  hidden(true);
+  const address = chart.getDataURL({type: 'png', pixelRatio: 3, backgroundColor: token('--paper')});
+  hidden(false);
+  return (await fetch(address)).blob();
+}
 
 /// Called when the colours change: light, dark.
 export function onTheme(redraw) {

@@ -1,30 +1,45 @@
-// The engine: the page contains its script and its WebAssembly, compressed.
+// The engine: the page contains its script and its WebAssembly, compressed. One instance is on the page itself, for what
+// a slider needs within a frame; one in a worker reads and fits files, another computes maps.
+/* global WORKER */
+import {asked, Remote} from './remote.js';
 
 function unpacked(id) {
   const packed = Uint8Array.from(atob(document.getElementById(id).textContent.trim()), c => c.charCodeAt(0));
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
 }
 
-/// The engine's functions. Each returns the JSON result as an object, or throws the engine's sentence with the
-/// recommended options.
+/// A law with the key that it has on the page.
+const withKey = (model, text) => (/^law_\d+$/.test(model) ? `${model}: ${text}` : text);
+
+/// The engine's functions: those of sliders return their result as an object or throw the engine's sentence with the
+/// recommended options, the others promise it.
 export async function loadEngine() {
+  const [text, module] = await Promise.all([unpacked('engine').text(), unpacked('compiled').arrayBuffer().then(bytes => WebAssembly.compile(bytes))]);
   const script = document.createElement('script');
-  script.textContent = await unpacked('engine').text();
+  script.textContent = text;
   document.head.append(script);
-  const engine = await window.mixity({wasmBinary: await unpacked('compiled').arrayBuffer()});
-  const asked = text => {
-    const told = JSON.parse(text);
-    if (told.error) throw Object.assign(new Error(told.error), {options: told.options ?? []});
-    return told;
-  };
+  const engine = await window.mixity({instantiateWasm(imports, receive) {
+    WebAssembly.instantiate(module, imports).then(instance => receive(instance, module));
+    return {};
+  }});
+  const address = URL.createObjectURL(new Blob([text, '\n', WORKER], {type: 'text/javascript'}));
+  const [files, maps] = [new Remote(address, module), new Remote(address, module)];
+  const laws = law => { files.law = maps.law = law; };
   return {
     version: engine.version(),
-    define: text => asked(engine.define(text)),
+    files,
+    define(text) {
+      const law = asked(engine.define(text));
+      laws(withKey(law.model, text));
+      return law;
+    },
     draw: request => asked(engine.draw(JSON.stringify(request))),
-    map: (request, milliseconds) => asked(engine.map(request, milliseconds)),
-    definition: name => asked(engine.definition(name)),
-    write: (name, bytes) => engine.write(name, bytes),
-    read: (name, constants) => asked(engine.read(name, JSON.stringify(constants))),
-    fit: (name, constants, options) => asked(engine.fit(name, JSON.stringify(constants), JSON.stringify(options))),
+    map: request => maps.call('map', [request]),
+    definition: name => files.call('definition', [name]),
+    write: (name, bytes) => files.write(name, bytes),
+    read: (names, constants, asPoints) => files.call('read', [JSON.stringify(names), JSON.stringify(constants), asPoints]),
+    cut: (names, stem, constants) => files.call('cut', [JSON.stringify(names), stem, JSON.stringify(constants)]),
+    fit: (names, constants, options, progress) => files.call('fit', [JSON.stringify(names), JSON.stringify(constants), JSON.stringify(options)], progress),
+    stop: () => files.stop(),
   };
 }

@@ -1,16 +1,27 @@
-// A user's file: read, confirmed, cropped, fitted, saved.
-import {answerHtml, escape, howRead, list, looksLikeALog, modelsHtml, named} from './answer.js';
+// A user's files: read, cut if they are logs, confirmed, cropped, fitted, saved.
+import {answerHtml, escape, howRead, list, modelsHtml, named} from './answer.js';
 import {pngOf, shown, svgOf} from './charts.js';
-import {cropped, offer, parted, ranges} from './files.js';
+import {Cuts} from './cuts.js';
+import {besideOf, cropped, offer, parted, ranges} from './files.js';
 import {FitFigures} from './fit_figures.js';
+import {Stopped} from './remote.js';
 
 const $ = id => document.getElementById(id);
+const fitting = 'Fitting …';
+const names = files => files.map(({name}) => name);
+const same = (one, other) => one.length === other.length && one.every(name => other.includes(name));
 
 export class Experiment {
-  constructor(engine, models) {
-    this.engine = engine;
-    this.models = models;
+  constructor() {
     this.figures = new FitFigures(this);
+    this.cuts = new Cuts();
+    this.turn = 0;
+    this.started = new Promise(resolve => {
+      this.begin = (engine, models) => {
+        Object.assign(this, {engine, models});
+        resolve();
+      };
+    });
     const drop = $('drop');
     $('file').addEventListener('change', event => {
       const files = [...event.target.files];
@@ -22,39 +33,47 @@ export class Experiment {
         drop.classList.toggle('over', over);
         if (name === 'drop') this.open([...event.dataTransfer.files]);
       });
-    $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(true, true); });
-    $('columns').addEventListener('change', () => this.readAgain(true));
+    $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(); });
+    $('columns').addEventListener('change', () => this.readAgain());
     for (const box of document.querySelectorAll('input[name=model]')) box.addEventListener('change', () => this.whole && this.fit());
-    $('run').addEventListener('change', () => this.figures.drawRun());
+    $('run').addEventListener('change', () => {
+      this.figures.drawRun();
+      this.figures.placeEnd();
+    });
     for (const id of ['crop-first', 'crop-last'])
       $(id).addEventListener('change', () => this.crop(id === 'crop-first' ? 0 : 1, $(id).value === '' ? NaN : Math.round(Number($(id).value)) - 1));
     for (const button of document.querySelectorAll('[data-save]')) button.addEventListener('click', () => this.save(button.dataset.save));
+    $('stop').addEventListener('click', () => this.stop());
+    $('as-points').addEventListener('click', () => {
+      this.asPoints = true;
+      this.readAgain();
+    });
   }
 
-  /// Opens a data file, perhaps with its TOML or with a fit definition.
+  /// Opens data files, perhaps with their TOML or with a fit definition, once the engine has started.
   async open(files) {
     if (!files.length) return;
-    const {data, beside, definition, problem} = await parted(files);
-    if (problem) return this.trouble(problem);
+    $('read').hidden = false;
+    if (!this.engine) this.busy('Starting the engine …');
+    const [{data, beside, definition, problem}] = await Promise.all([parted(files), this.started]);
+    if (problem) {
+      this.busy('');
+      return this.trouble(problem);
+    }
     if (definition) return this.openDefinition(definition, data, beside);
-    this.take(data, beside);
+    return this.take(data, beside);
   }
 
   /// Opens a definition saved by this page with its constants, options, cuts, models and law. Its data may already be open.
   openDefinition(definition, data, beside) {
-    const {engine, models} = this, former = this.source;
-    engine.write(definition.name, definition.bytes);
-    let told = null, problem = '';
-    try {
-      told = engine.definition(definition.name);
-      if (!data && former?.data.name === told.data) ({data, beside} = former);
-      if (!data) problem = `${definition.name} is of the data ${told.data}: drop both files at once.`;
-    } catch (error) {
-      problem = error.message;
-    }
-    if (problem || !Object.keys(told.laws).length) models.define(models.state.law, models.state.own);  // the engine has forgotten it
-    if (problem) return this.trouble(problem);
-    this.take(data, beside, {...told, from: `constants, options and models are those of ${definition.name}${told.data === data.name ? '' : `, which is of ${told.data}`}`});
+    return this.job(async step => {
+      this.engine.write(definition.name, definition.bytes);
+      const told = await step('Reading …', this.engine.definition(definition.name)), former = this.source;
+      if (!data.length && former && same(names(former.data), told.data)) ({data, beside} = former);
+      if (!data.length) throw new Error(`${definition.name} is of the data ${told.data.join(', ')}: drop ${told.data.length > 1 ? 'all' : 'both'} files at once.`);
+      const other = same(names(data), told.data) ? '' : `, which is of ${told.data.join(', ')}`;
+      return this.taken(step, data, beside, {...told, from: `constants, options and models are those of ${definition.name}${other}`});
+    });
   }
 
   /// The first law that comes with data becomes the law of the page. Returns the models by their keys on the page.
@@ -65,39 +84,82 @@ export class Experiment {
     return models.map(one => (one === key ? this.models.own?.model : one));
   }
 
-  /// `stated`: constants, options, models and laws that come with the data.
-  take(data, toml, stated = {}) {
-    this.source = {data, beside: toml};
-    this.name = data.name;
-    this.engine.write(this.name, data.bytes);
-    this.engine.write(this.name.replace(/(\.[A-Za-z]\w*)?$/, '.toml'), toml ? toml.bytes : new Uint8Array());
+  /// `beside`: the TOML of a data file by its name. `stated`: constants, options, models and laws that come with the data.
+  take(data, beside, stated = {}) { return this.job(step => this.taken(step, data, beside, stated)); }
+
+  taken(step, data, beside, stated) {
+    const {engine} = this;
+    this.source = {data, beside};
+    this.name = data.length > 1 ? `${data[0].name} and ${data.length - 1} more` : data[0].name;
+    this.trouble('');
+    for (const one of data) {
+      engine.write(one.name, one.bytes);
+      engine.write(besideOf(one.name), beside[one.name]?.bytes ?? new Uint8Array());
+    }
+    this.asPoints = false;
     this.options = {...stated.options};
     this.from = stated.from;
     const models = stated.models && this.withLaw(stated);
     for (const box of document.querySelectorAll('input[name=model]')) box.checked = models ? models.includes(box.value) : box.checked;
-    this.told = null;
     this.more = {};
     this.forget();
     this.figures.showAll();
     $('columns').value = stated.constants?.columns ?? '';
-    $('read').hidden = false;
     for (const field of this.fields()) {
       field.value = stated.constants?.[field.name] ?? '';
       delete field.dataset.shown;
     }
     this.more = Object.fromEntries(Object.entries(stated.constants ?? {}).filter(([name]) => name !== 'columns' && !$('constants').elements[name]));
-    this.readAgain(true);
+    return this.reading(step);
   }
 
-  /// Removes the fit from the page.
-  forget() {
+  /// Does work in steps, each of which says what it waits for: `work(step)`, step(sentence, promise). A later job ends an
+  /// earlier one, and so does the button.
+  async job(work) {
     clearTimeout(this.fitting);
-    this.result = null;
+    if (this.engine.files.busy) this.engine.stop();
+    const turn = ++this.turn;
+    const step = async (says, promise) => {
+      this.busy(says);
+      const told = await promise;
+      if (turn !== this.turn) throw new Stopped();
+      return told;
+    };
+    try {
+      this.trouble('');
+      await work(step);
+    } catch (error) {
+      if (turn !== this.turn) return;
+      this.forgetFit();
+      this.trouble(error instanceof Stopped ? 'Stopped. Press Fit to begin again.' : error.message);
+    }
+    if (turn === this.turn) this.busy('');
+  }
+
+  /// Says what is waited for, and what part of it is done.
+  busy(says, part) {
+    $('busy').hidden = !says;
+    if ($('busy-says').textContent !== says) $('busy-says').textContent = says;
+    if (part === undefined) $('busy-part').removeAttribute('value');
+    else $('busy-part').value = part;
+    $('stop').hidden = !this.engine;
+  }
+
+  /// Removes the fit from the page, and what was read.
+  forget() {
+    this.told = this.log = null;
     this.whole = false;
     this.kept = [];
-    $('told').innerHTML = $('run').innerHTML = $('busy').textContent = '';
-    $('downloads').hidden = $('others').hidden = $('crop').hidden = $('measured').hidden = true;
+    this.forgetFit();
+    $('run').innerHTML = '';
+    $('crop').hidden = $('measured').hidden = $('log').hidden = true;
     this.figures.clear();
+  }
+
+  forgetFit() {
+    this.result = null;
+    $('told').innerHTML = '';
+    $('downloads').hidden = $('others').hidden = true;
   }
 
   trouble(sentence) {
@@ -117,21 +179,37 @@ export class Experiment {
     return columns ? {...stated, columns} : stated;
   }
 
-  /// Reads the file with the form's constants, shows how it was read, and fits; if it looks like a log, only if `asked`.
-  readAgain(andFit, asked = false) {
-    if (!this.name) return;
-    this.trouble('');
+  /// The files that are fitted and the constants for them. The runs of a log have theirs in a file beside them.
+  fitted() { return this.log ? [[this.log.data], {}] : [names(this.source.data), this.constants()]; }
+
+  readAgain() {
+    if (this.name) return this.job(step => this.reading(step));
+  }
+
+  /// Reads the files with the form's constants, cuts them if they are logs, shows how that was done, and fits.
+  async reading(step) {
+    const {engine} = this, given = names(this.source.data);
+    this.log = null;
     try {
-      this.told = this.engine.read(this.name, this.constants());
+      let told = await step('Reading …', engine.read(given, this.constants(), this.asPoints));
+      if (told.log) {
+        this.log = await step('Finding the loading runs …', engine.cut(given, given[0].replace(/\.[^.]*$/, ''), this.constants()));
+        this.cuts.draw(this.log);
+        told = await step('Reading the runs …', engine.read(...this.fitted(), true));
+      }
+      this.told = told;
     } catch (error) {
+      if (error instanceof Stopped) throw error;
+      const {log} = this;
       this.forget();
-      return this.notRead(error.message);
+      this.log = log;
+      return this.notRead(step, error);
     }
     const {told} = this;
     this.whole = true;
     for (const [name, text] of Object.entries(told.constants)) {
       const field = $('constants').elements[name];
-      if (!field) this.more[name] = text.exact;  // from a TOML; saved files must include it
+      if (!field && !this.log) this.more[name] = text.exact;  // from a TOML; saved files must include it
       if (!field || field.value) continue;
       field.value = field.dataset.shown = text.shown;
       field.dataset.exact = text.exact;
@@ -139,7 +217,7 @@ export class Experiment {
     this.showRead(true);
     const lines = JSON.stringify(told.runs?.map(run => run.lines));
     if (lines !== this.lines || !this.kept.length) {
-      const {kept, between} = cropped(told.runs ?? [], this.options.exclude ?? '');
+      const {kept, between} = cropped(told.runs ?? [], this.options.exclude ?? '', told.files);
       this.kept = kept;
       if (told.runs) this.options.exclude = between;
     }
@@ -149,65 +227,64 @@ export class Experiment {
     if (selected < this.kept.length) $('run').value = String(selected);
     $('measured').hidden = false;
     $('crop').hidden = !told.runs;
+    this.forgetFit();
     this.figures.draw();
-    if (told.log && !asked) this.trouble(looksLikeALog(this.name));
-    else if (andFit) this.fit();
+    return this.fitNow(step);
   }
 
-  /// Shows why a file was not read; if only constants are missing, also its columns.
-  notRead(sentence) {
-    this.told = null;
-    this.trouble(sentence);
+  /// Shows why files were not read; if only constants are missing, also their columns.
+  async notRead(step, {message}) {
+    const [given, constants] = this.fitted();
+    $('log').hidden = !this.log;
     try {
-      this.told = this.engine.read(this.name, {radius: '1 mm', modulus: '1 MPa', toughness: '1 J/m^2', ...this.constants()});
+      this.told = await step('Reading …', this.engine.read(given, {radius: '1 mm', modulus: '1 MPa', toughness: '1 J/m^2', ...constants}, true));
     } catch (error) {
-      this.trouble(error.message);
-      $('more').open = error.options?.some(option => option === 'load' || option === 'pixel');
+      if (error instanceof Stopped) throw error;
+      $('more').open = error.options?.some(option => ['load', 'pixel', 'sheet'].includes(option));
       $('mapping').open = !$('more').open;
       $('read-title').textContent = this.name;
       $('taken').innerHTML = '';
-      return;
+      return this.trouble(error.message);
     }
     this.showRead(false);
-    this.trouble(this.told.log ? looksLikeALog(this.name) : `${sentence}: fill in the sphere and the constants above, with their units, and press Fit.`);
+    this.trouble(`${message}: fill in the sphere and the constants above, with their units, and press Fit.`);
     $('constants').querySelector('input:placeholder-shown')?.focus();
   }
 
   showRead(whole) {
-    const {told} = this;
-    $('read-title').textContent = `${this.name}: ${told.points} of ${told.rows} rows${told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : ''}`;
+    const {told, log} = this, runs = told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : '';
+    $('read-title').textContent = log ? `${this.name}: a log with ${told.runs.length} loading run${told.runs.length === 1 ? '' : 's'}, ${told.points} points`
+      : `${this.name}: ${told.points} of ${told.rows} rows${runs}`;
     $('taken').innerHTML = list(howRead(told, this.from, whole, name => !$('constants').elements[name]));
+    $('log').hidden = !log;
   }
 
   chosen() { return [...document.querySelectorAll('input[name=model]:checked')].map(box => box.value); }
 
-  /// Fits after the browser has drawn the message that this takes a while.
+  /// Fits a moment later, as cuts and models often change more than once.
   fit() {
     clearTimeout(this.fitting);
     if (!this.whole) return;
-    if (!this.chosen().length) return this.trouble('Choose a model.');
-    $('busy').textContent = 'Fitting …';
-    this.fitting = setTimeout(() => this.fitNow(), 30);
+    this.busy(fitting);
+    this.fitting = setTimeout(() => this.job(step => this.fitNow(step)), 30);
   }
 
-  fitNow() {
-    const models = this.chosen();
-    const out = (this.told.runs ?? []).flatMap(({lines}, i) => lines.filter((_, k) => k < this.kept[i][0] || k > this.kept[i][1]));
-    const options = {...this.options, models: models.join(',')};
-    options.exclude = [this.options.exclude, ranges(out)].filter(Boolean).join(',');
+  stop() {
+    clearTimeout(this.fitting);
+    if (this.engine.files.busy) this.engine.stop();  // the job under way says so
+    else this.busy('');
+  }
+
+  async fitNow(step) {
+    const models = this.chosen(), {runs = [], files} = this.told;
+    if (!models.length) return this.trouble('Choose a model.');
+    const out = runs.flatMap(({lines}, i) => lines.filter((_, k) => k < this.kept[i][0] || k > this.kept[i][1]));
+    const options = {...this.options, models: models.join(','), ...(this.log ? {peaks: this.log.peaks} : {})};
+    options.exclude = [this.options.exclude, ranges(out, files)].filter(Boolean).join(',');
     if (!options.exclude) delete options.exclude;
     const begin = performance.now();
-    try {
-      this.result = this.engine.fit(this.name, this.constants(), options);
-    } catch (error) {
-      this.result = null;
-      $('told').innerHTML = $('busy').textContent = '';
-      $('downloads').hidden = $('others').hidden = true;
-      return this.trouble(error.message);
-    }
-    $('busy').textContent = '';
+    this.result = await step(fitting, this.engine.fit(...this.fitted(), options, part => this.busy(fitting, part)));
     this.time = performance.now() - begin;
-    this.trouble('');
     $('told').innerHTML = named(answerHtml(this.result));
     $('models').innerHTML = named(modelsHtml(this.result));
     $('downloads').hidden = $('others').hidden = false;
@@ -237,8 +314,10 @@ export class Experiment {
   }
 
   async save(what) {
+    const cut = this.log?.files[what];
+    if (cut) return offer(cut, cut.endsWith('.csv') ? 'text/csv' : 'application/toml', this.log.contents[cut]);
     if (!this.result) return;
-    const stem = this.name.replace(/\.[^.]*$/, '');
+    const stem = (this.log?.data ?? this.source.data[0].name).replace(/\.[^.]*$/, '');
     const files = {
       used: () => [`${stem}_used.csv`, 'text/csv', this.result.used],
       fit: () => [`${stem}_fit.json`, 'application/json', JSON.stringify(this.result.fits, null, 2) + '\n'],

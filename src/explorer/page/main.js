@@ -8,18 +8,20 @@ import {sample} from './sample.js';
 const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
 
 async function start() {
+  const experiment = new Experiment();
   const engine = await loadEngine();
   document.getElementById('version').textContent = engine.version;
   const models = new Models(engine, read());
-  const experiment = new Experiment(engine, models);
+  experiment.begin(engine, models);
   onTheme(() => {
     models.redraw();
     experiment.figures.draw();
+    experiment.cuts.drawAgain();
   });
   document.getElementById('sample').addEventListener('click', () => experiment.take(...sample()));
   // the report's data and the files beside them
   const reported = JSON.parse(document.getElementById('data').textContent) ?? [];
-  const take = one => experiment.take({name: one.name, bytes: bytesOf(one.content)}, {bytes: bytesOf(one.toml)}, one);
+  const take = one => experiment.take([{name: one.name, bytes: bytesOf(one.content)}], {[one.name]: {bytes: bytesOf(one.toml)}}, one);
   if (reported.length) take(reported[0]);
   const choice = document.getElementById('reported');
   choice.hidden = reported.length < 2;

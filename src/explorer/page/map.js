@@ -4,8 +4,6 @@ import {byDecades, quantities} from './state.js';
 
 const tintOfRegime = {1: 6, 2: 3, 3: 1, n: 7};  // by the first letter of its text
 const mostKept = 40;                            // maps
-const atOnce = 4;                               // ms of work before sliders are served
-const whenIdle = work => (window.requestIdleCallback ? requestIdleCallback(work, {timeout: 300}) : setTimeout(work, 20));
 
 export class RegimeMap {
   /// `models` has the state and the laws, `figure` draws.
@@ -55,26 +53,27 @@ export class RegimeMap {
     return {...request, name, unit, P_most, value: values[chosen], others: others.join(', '), family, text: JSON.stringify(request)};
   }
 
-  /// Does a part of the work whenever the page is idle.
-  compute() {
+  /// Has the map of the sliders' values made, in a worker. What is asked meanwhile is made after it.
+  async compute() {
     if (this.waiting) return;
+    const {text} = this.wanted();
     this.waiting = true;
-    whenIdle(() => {
-      this.waiting = false;
-      const {text} = this.wanted();
-      if (this.known.has(text)) return;
-      const {regions} = this.engine.map(text, atOnce);
-      if (!regions) return this.compute();
+    this.problem = null;
+    try {
+      const {regions} = await this.engine.map(text);
       this.known.set(text, regions);
       if (this.known.size > mostKept) this.known.delete(this.known.keys().next().value);
-      this.models.drawAgain('map');
-    });
+    } catch (error) {
+      this.problem = {text, sentence: error.message};
+    }
+    this.waiting = false;
+    this.models.drawAgain('map');
   }
 
   draw() {
     const wanted = this.wanted(), regions = this.known.get(wanted.text);
     if (regions) this.last = {regions, family: wanted.family};
-    else this.compute();
+    else if (this.problem?.text !== wanted.text) this.compute();
     // until the map is ready, shows that of earlier values of the other parameters, paler
     const drawn = this.last?.family === wanted.family ? this.last.regions : [];
     const regimes = [...new Set(drawn.map(one => one.regime))], single = regimes.length === 1;
@@ -83,9 +82,9 @@ export class RegimeMap {
     if (!single) this.drawRegions(wanted, drawn, regimes, regions ? .25 : .1);
   }
 
-  sentence({name, others}, only, known) {
+  sentence({name, others, text}, only, known) {
     const where = others && `, with ${others}`;
-    if (!known) return `${where} …`;
+    if (!known) return this.problem?.text === text ? `${where}: ${this.problem.sentence}.` : `${where} …`;
     if (!only) return `${where}.`;
     return `${where}: ${only.startsWith('n') ? `${only}, whatever the load and ${name}` : `one regime everywhere, ${only.slice(2)}`}.`;
   }

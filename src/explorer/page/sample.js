@@ -2,5 +2,6 @@
 /* global SAMPLE_CSV, SAMPLE_TOML */
 export function sample() {
   const bytes = text => new TextEncoder().encode(text);
-  return [{name: 'mergel2018.csv', bytes: bytes(SAMPLE_CSV)}, {bytes: bytes(SAMPLE_TOML)}];
+  const name = 'mergel2018.csv';
+  return [[{name, bytes: bytes(SAMPLE_CSV)}], {[name]: {bytes: bytes(SAMPLE_TOML)}}];
 }

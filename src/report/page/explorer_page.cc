@@ -24,7 +24,7 @@ const InputFile* find_input(const Dataset& data, const std::string& path) {
   return found == data.inputs.end() ? nullptr : &*found;
 }
 
-/// The content of the data file. The page cannot unpack a workbook: it gets the text of the sheet, with the same lines.
+/// The content of the data file; of a workbook the text of the sheet that was read, with the same lines.
 std::string readable(const InputFile& file, const Dataset& data) {
   if (!is_workbook(*file.content)) return *file.content;
   Inputs as_read(data.inputs);
