@@ -120,9 +120,8 @@ Archive::Archive(const std::string& path, std::string_view bytes, std::size_t mo
     : path_(path), most_(most), zip_(new Directory{bytes}, &Directory::remove) {
   try {
     static_cast<Directory*>(zip_.get())->read_directory();
-  } catch (const std::out_of_range& error) {
-    throw InputError(path, "is a workbook or an archive that is damaged or incomplete (" + std::string(error.what()) +
-                               "); save or copy it again");
+  } catch (const std::out_of_range&) {
+    throw InputError(path, "is a workbook or an archive that is damaged or incomplete; save or copy it again");
   }
 }
 
@@ -150,9 +149,8 @@ void Archive::read(const std::string& part, const std::function<bool(std::string
     unpack(zip.packed(about), about, use);
   } catch (const std::length_error& error) {
     refuse(error.what());
-  } catch (const std::out_of_range& error) {
-    throw InputError(path_,
-                     "is damaged (part '" + printable(part, 60) + "': " + error.what() + "); save or copy it again");
+  } catch (const std::out_of_range&) {
+    throw InputError(path_, "is damaged (part '" + printable(part, 60) + "'); save or copy it again");
   }
 }
 
