@@ -127,8 +127,8 @@ ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used
   add_differences_of_T(data, used, nearest, T.least, models, differences);
   const ErrorModel now = models.T.value_or(ErrorModel{});
   for (std::size_t i = 0; i < differences.size(); ++i) {
-    const double variance = differences.fixed[i] + differences.shapes[4 * i + 2] * square(now.constant) +
-                            differences.shapes[4 * i + 3] * square(now.share);
+    const double variance = differences.fixed[i] + differences.shapes[2][i] * square(now.constant) +
+                            differences.shapes[3][i] * square(now.share);
     sum.squares += differences.shares[i] * differences.squares[i] / variance;
     sum.rows += differences.shares[i];
   }
@@ -304,9 +304,10 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
     std::optional<VarianceComponents> found;
     models.differences = all.size() > residuals.size();
     if (choose) {
-      found = choose_variances(residuals, choices(T.known, A.known, true));
+      const std::array<double, 4> last = components_of(before);
+      found = choose_variances(residuals, choices(T.known, A.known, true), last);
       if (models.differences) {
-        auto with = choose_variances(all, choices(T.known, A.known, false));
+        auto with = choose_variances(all, choices(T.known, A.known, false), last);
         models.differences =
             with && (!found || found->log_likelihood - log_likelihood(residuals, with->theta) < kContradicted);
         if (models.differences) found = std::move(with);

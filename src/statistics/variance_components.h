@@ -2,6 +2,7 @@
 // the reading.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,7 +11,7 @@
 
 namespace mixity {
 
-/// Normal deviations with mean 0, one per row. The variance of row i is fixed[i] + sum over k of theta[k] shapes[i][k].
+/// Normal deviations with mean 0, one per row. The variance of row i is fixed[i] + sum over k of theta[k] shapes[k][i].
 struct Deviations {
   static constexpr std::size_t kMostComponents = 8;
 
@@ -23,7 +24,8 @@ struct Deviations {
   std::size_t size() const { return squares.size(); }
 
   std::size_t components, pool, added = 0;
-  std::vector<double> squares, shares, fixed, shapes;  // shapes: [rows x components], by row
+  std::vector<double> squares, shares, fixed;
+  std::array<std::vector<double>, kMostComponents> shapes;  // by component
 };
 
 struct VarianceComponents {
@@ -42,7 +44,8 @@ std::optional<VarianceComponents> fit_variances(const Deviations& rows, std::uin
                                                 std::span<const double> from = {});
 
 /// The choice among `allowed` with the smallest BIC, -2 ln L + used ln(sum of shares) (Schwarz 1978), with ln L to
-/// 0.001. Null if none can be fitted.
-std::optional<VarianceComponents> choose_variances(const Deviations& rows, std::span<const std::uint32_t> allowed);
+/// 0.001. `from`: start values of all components; empty or 0: a guess. Null if none can be fitted.
+std::optional<VarianceComponents> choose_variances(const Deviations& rows, std::span<const std::uint32_t> allowed,
+                                                   std::span<const double> from = {});
 
 }  // namespace mixity

@@ -40,7 +40,7 @@ TEST(VarianceComponents, AreWhereTheLikelihoodIsStationaryOrOnTheBound) {
     ASSERT_TRUE(found);
     double constant = 0, proportional = 0, size = 0;  // the derivatives of ln L
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double x2 = rows.shapes[2 * i + 1], v = found->theta[0] + found->theta[1] * x2,
+      const double x2 = rows.shapes[1][i], v = found->theta[0] + found->theta[1] * x2,
                    slope = (rows.squares[i] / v - 1) / v / 2;
       constant += slope;
       proportional += slope * x2;
