@@ -76,6 +76,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kLeap = 0.1;       // relative change in one of the last rounds
   constexpr double kLeft = 3e-4;      // of many points: standard errors by which all further rounds would move the fit
   constexpr double kEnough = 1e-4;    // of many points: standard errors to which a round finds the minimum
+  constexpr double kNext = 1e-3;      // else: the same, in units of the errors' last relative change
   constexpr double kSurely = 1e-6;
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
@@ -85,8 +86,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   quick.last_digits = false;
   quick.most_iterations_shown = quick.most_iterations;  // the rest is left to the next round
   const double points = static_cast<double>(prepared_.used.size());
-  if (many) quick.kernel_stationary = kEnough / std::sqrt(points);
-  double moved = 0;  // by the last round, at most: the parameters, in their standard errors
+  const SolverOptions exactly;
+  double last_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
   const bool free = !problem_->parameters().empty();
   if (free && x.empty()) return true;
   ErrorModels models;
@@ -98,6 +99,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
     if (free && (round == 0 || !by_run)) {  // else together with the deviations of the runs
+      const double enough = (many ? kEnough : kNext * std::min(last_change, 1.0)) / std::sqrt(points);
+      quick.kernel_stationary = std::max(enough, exactly.kernel_stationary);
+      quick.kernel_stationary_of_several = std::max(enough, exactly.kernel_stationary_of_several);
       const auto minimum = descend(cost, x, quick);
       if (!minimum) {
         if (round == 0) x.clear();
@@ -145,7 +149,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
     std::vector<std::vector<double>> own;
     // A course common to all runs is not a difference between them.
-    if (!by_run && (apart || (round < choosing && !shared && (!many || round == weighting))))
+    if (!by_run && (apart || (round == weighting && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart);
     const auto found = estimated_errors(*nearest, leverage, models,
                                         round < weighting  ? Stage::weighting
@@ -168,6 +172,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     leverage = std::vector<double>();
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
+    last_change = change;
     if (change <= kSettled && round > choosing) break;
     if (many) {
       const double before = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));

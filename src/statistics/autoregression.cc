@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <tuple>
 
 namespace mixity {
 namespace {
@@ -40,10 +41,20 @@ double highest_between(const Function& f, double low, double high, int bits) {
   return boost::math::tools::brent_find_minima([&](double x) { return -f(x); }, low, high, bits).first;
 }
 
+constexpr std::array kTried{0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.93, 0.97, kClosest};
+constexpr int kBits = 14;
+
+/// The x with the largest f(x) between those of kTried on either side of `from`.
+template <class Function>
+double highest_near(const Function& f, double from) {
+  const auto above = std::upper_bound(kTried.begin() + 1, kTried.end() - 1, from);
+  const auto below = std::lower_bound(kTried.begin() + 1, kTried.end() - 1, from) - 1;
+  return highest_between(f, *below, *above, kBits);
+}
+
 /// The x in [0, kClosest] with the largest f(x), which may have several maxima.
 template <class Function>
 double highest(const Function& f) {
-  constexpr std::array kTried{0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.93, 0.97, kClosest};
   std::size_t best = 0;
   double most = f(kTried[0]);
   for (std::size_t i = 1; i < kTried.size(); ++i)
@@ -51,41 +62,71 @@ double highest(const Function& f) {
       most = value;
       best = i;
     }
-  constexpr int kBits = 14;
   return highest_between(f, kTried[best > 0 ? best - 1 : 0], kTried[std::min(best + 1, kTried.size() - 1)], kBits);
 }
+
+}  // namespace
+
+namespace {
+
+/// Kalman's filter of a run: the covariance of u and v predicted from the deviations before, and what a deviation says.
+struct Filter {
+  const TwoProcesses& processes;
+  const ScaledCorrelations& at;
+  double p11 = 1, p12 = 0, p22 = 1;
+  double d1 = 1, d2 = 1;  // decays since the last deviation
+  double l1 = 0, l2 = 0;  // weights of u and v
+  double u = 0, v = 0;    // their covariances with the deviation
+  double variance = 0;    // of the deviation
+
+  /// Predicts deviation k of the run.
+  void predict(const std::vector<std::size_t>& run, std::size_t k) {
+    const std::size_t i = run[k];
+    if (k == 0) {
+      p11 = p22 = 1;
+      p12 = 0;
+    } else {
+      const double apart = processes.places[i] - processes.places[run[k - 1]];
+      const auto decay = [apart](double correlation) {
+        return apart == 1 ? correlation : std::pow(correlation, apart);
+      };
+      d1 = decay(at.correlations.first);
+      d2 = decay(at.correlations.second);
+      p11 = d1 * d1 * p11 + 1 - d1 * d1;
+      p22 = d2 * d2 * p22 + 1 - d2 * d2;
+      p12 *= d1 * d2;
+    }
+    l1 = at.first * processes.first[i];
+    l2 = at.second * processes.second[i];
+    u = p11 * l1 + p12 * l2;
+    v = p12 * l1 + p22 * l2;
+    variance = l1 * u + l2 * v;
+  }
+  void learn() {
+    const double gain_1 = u / variance, gain_2 = v / variance;
+    p11 -= u * gain_1;
+    p12 -= u * gain_2;
+    p22 -= v * gain_2;
+  }
+};
 
 }  // namespace
 
 Decorrelation::Decorrelation(const TwoProcesses& processes, const ScaledCorrelations& at)
     : predicted_across_(processes.places.size()) {
   steps_.reserve(processes.places.size());
-  const auto decay = [](double correlation, double apart) {
-    return apart == 1 ? correlation : std::pow(correlation, apart);
-  };
-  for (const auto& run : processes.runs) {
-    double p11 = 1, p12 = 0, p22 = 1;  // the predicted covariance of u and v
+  Filter filter{processes, at};
+  for (const auto& run : processes.runs)
     for (std::size_t k = 0; k < run.size(); ++k) {
-      const std::size_t i = run[k];
-      double d1 = 1, d2 = 1;
-      if (k > 0) {
-        const double apart = processes.places[i] - processes.places[run[k - 1]];
-        d1 = decay(at.correlations.first, apart);
-        d2 = decay(at.correlations.second, apart);
-        p11 = d1 * d1 * p11 + 1 - d1 * d1;
-        p22 = d2 * d2 * p22 + 1 - d2 * d2;
-        p12 *= d1 * d2;
-      }
-      const double l1 = at.first * processes.first[i], l2 = at.second * processes.second[i];
-      const double u = p11 * l1 + p12 * l2, v = p12 * l1 + p22 * l2, variance = l1 * u + l2 * v;
-      predicted_across_[i] = 1 - (l2 * l2 * p11 - 2 * l1 * l2 * p12 + l1 * l1 * p22) / (l1 * l1 + l2 * l2);
-      steps_.push_back({i, k == 0, d1, d2, l1, l2, u / variance, v / variance, 1 / std::sqrt(variance)});
-      p11 -= u * u / variance;
-      p12 -= u * v / variance;
-      p22 -= v * v / variance;
+      filter.predict(run, k);
+      const auto& [l1, l2, variance] = std::tie(filter.l1, filter.l2, filter.variance);
+      predicted_across_[run[k]] =
+          1 - (l2 * l2 * filter.p11 - 2 * l1 * l2 * filter.p12 + l1 * l1 * filter.p22) / (l1 * l1 + l2 * l2);
+      steps_.push_back({run[k], k == 0, filter.d1, filter.d2, l1, l2, filter.u / variance, filter.v / variance,
+                        1 / std::sqrt(variance)});
       log_determinant_ += std::log(variance);
+      filter.learn();
     }
-  }
 }
 
 void Decorrelation::apply(std::span<double> values, std::size_t stride) const {
@@ -137,12 +178,55 @@ void take_off(const std::vector<std::size_t>& run, std::vector<std::vector<doubl
   }
 }
 
+/// The sum of logarithms of positive numbers: those of products, which seldom near the limits of a double.
+class SumOfLogarithms {
+ public:
+  void add(double x) {
+    if (x < kSmall || x > 1 / kSmall) {
+      sum_ += std::log(x);
+      return;
+    }
+    product_ *= x;
+    if (product_ > kSmall && product_ < 1 / kSmall) return;
+    sum_ += std::log(product_);
+    product_ = 1;
+  }
+  double sum() const { return sum_ + std::log(product_); }
+
+ private:
+  static constexpr double kSmall = 1e-100;
+  double sum_ = 0, product_ = 1;
+};
+
 Independent independent(const TwoProcesses& processes, std::span<const double> deviations,
                         const ScaledCorrelations& at) {
+  Independent result;
+  if (processes.own.empty()) {
+    Filter filter{processes, at};
+    SumOfLogarithms logarithms;
+    for (const auto& run : processes.runs) {
+      double u = 0, v = 0;
+      for (std::size_t k = 0; k < run.size(); ++k) {
+        filter.predict(run, k);
+        u *= filter.d1;
+        v *= filter.d2;
+        const double innovation = deviations[run[k]] - filter.l1 * u - filter.l2 * v,
+                     share = innovation / filter.variance;
+        u += filter.u * share;
+        v += filter.v * share;
+        filter.learn();
+        result.squares += innovation * share;
+        logarithms.add(filter.variance);
+      }
+      result.n += static_cast<double>(run.size());
+    }
+    result.log_determinant = logarithms.sum();
+    return result;
+  }
   const Decorrelation decorrelation(processes, at);
   std::vector<double> values(deviations.begin(), deviations.end());
   decorrelation.apply(values);
-  Independent result{.log_determinant = decorrelation.log_determinant()};
+  result.log_determinant = decorrelation.log_determinant();
   for (const auto& run : processes.runs)
     for (const std::size_t i : run) {
       result.squares += values[i] * values[i];
@@ -150,8 +234,7 @@ Independent independent(const TwoProcesses& processes, std::span<const double> d
     }
   std::vector<std::vector<double>> own = processes.own;
   for (auto& column : own) decorrelation.apply(column);
-  if (!own.empty())
-    for (const auto& run : processes.runs) take_off(run, own, values, result);
+  for (const auto& run : processes.runs) take_off(run, own, values, result);
   return result;
 }
 
@@ -172,6 +255,7 @@ double log_likelihood(const TwoProcesses& processes, std::span<const double> dev
 ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
                                        const std::function<double(double)>& second_factor) {
   constexpr int kRounds = 3;        // over the two correlations in turn
+  constexpr double kHardly = 1e-3;  // change of a correlation that needs no further round
   constexpr double kNear = 2;       // tolerated shortfall of ln L at a few trial values from its maximum
   constexpr double kUndecided = 2;  // of ln L
   const Beginning some = beginning(processes, deviations, kDeciding);
@@ -207,8 +291,12 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   }
   NeighbourCorrelations both{first, second};
   for (int round = 0; round < kRounds; ++round) {
-    both.second = highest([&](double x) { return value(both.first, x); });
-    both.first = highest([&](double x) { return value(x, both.second); });
+    const NeighbourCorrelations last = both;
+    const auto of_second = [&](double x) { return value(both.first, x); };
+    both.second = round == 0 ? highest(of_second) : highest_near(of_second, both.second);
+    const auto of_first = [&](double x) { return value(x, both.second); };
+    both.first = round == 0 ? highest(of_first) : highest_near(of_first, both.first);
+    if (std::abs(both.first - last.first) + std::abs(both.second - last.second) < kHardly) break;
   }
   consider(both);
   return best;
