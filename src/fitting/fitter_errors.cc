@@ -149,7 +149,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
     std::vector<std::vector<double>> own;
     // A course common to all runs is not a difference between them.
-    if (!by_run && (apart || (round == weighting && !shared)))
+    if (!by_run && (apart || (round < choosing && round % weighting == 0 && (!many || round > 0) && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart);
     const auto found = estimated_errors(*nearest, leverage, models,
                                         round < weighting  ? Stage::weighting
