@@ -44,6 +44,12 @@ class LogDensity {
   double upper() const { return inner(problem_.parameters()[0].upper); }
   double start() const { return start_; }
   double constant() const { return constant_; }
+  /// With an unknown unit the density is a power of a sum of squares, which is easier to interpolate than its
+  /// logarithm. `below`: the logarithm of the density relative to the peak.
+  double smooth(double below) const { return power() > 0 ? std::exp(-below / power()) : below; }
+  double below(double smooth) const { return power() > 0 ? -power() * std::log(smooth) : smooth; }
+  /// The error of `below` per error of `smooth` near the peak.
+  double error_of(double smooth) const { return power() > 0 ? power() * smooth : smooth; }
   void begin() { profile_.begin(0); }
 
   /// Minus infinity where the cost is not finite.
@@ -72,6 +78,8 @@ class LogDensity {
   }
 
  private:
+  double power() const { return choice_.unit == 0 ? 0 : 0.5 * n_; }
+
   const Problem& problem_;
   EvidenceOptions choice_;
   Profile profile_;
@@ -141,26 +149,30 @@ class Posterior {
 
   Posterior(const LogDensity& density, double peak) : density_(density), peak_(peak) {}
 
-  /// Interpolates the density between two of its values. False if the largest number of points does not suffice.
-  /// `width`: of the peak, if known.
+  /// Interpolates the logarithm of the density between two of its values. False if the largest number of points does
+  /// not suffice. `width`: of the peak, if known.
   bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
     constexpr std::size_t kFewest = 9, kDoubtful = 65, kMost = 257;
     constexpr double kLeftOut = 1e-7;  // error of the logarithm: relative error of the density
+    constexpr double kScatter = 1e-5;
     std::optional<Interpolated> before;
     for (std::size_t n = kFewest; n <= kMost; n = 2 * n - 1) {
       Interpolated now(low.u, high.u, n);
       density.begin();
       for (std::size_t i = 0; i < n; ++i) {
         const bool known = before && i % 2 == 0;
-        now.value(i) = known        ? before->value(i / 2)
-                       : i == 0     ? low.density - peak_
-                       : i + 1 == n ? high.density - peak_
-                                    : density(now.node(i)) - peak_;
+        now.value(i) = known ? before->value(i / 2)
+                             : density.smooth((i == 0       ? low.density
+                                               : i + 1 == n ? high.density
+                                                            : density(now.node(i))) -
+                                              peak_);
         if (!std::isfinite(now.value(i))) return false;
       }
-      const double error = now.tail(), error_before = before ? before->tail() : 0;
+      const double error = density.error_of(now.tail()), error_before = before ? density.error_of(before->tail()) : 0;
       before = std::move(now);
-      if (error <= kLeftOut) break;
+      // Values that are themselves only known to this are not interpolated better by more of them.
+      if (error <= kLeftOut || (error_before <= kScatter && error > 0.2 * error_before && before->size() > kFewest))
+        break;
       // For a smooth density the error is squared each time; if it falls more slowly, it will not converge in time.
       if (n == kMost || (n >= kDoubtful && error > 0.2 * error_before)) return false;
     }
@@ -207,9 +219,10 @@ class Posterior {
       u[k] = middle - half * Gauss::abscissa()[k];
       u[kHalf + k] = middle + half * Gauss::abscissa()[k];
     }
-    const auto logarithms = (*interpolated_)(u);
+    const auto smooth = (*interpolated_)(u);
     for (std::size_t k = 0; k < u.size(); ++k) {
-      const double x = density_.outer(u[k]), value = half * Gauss::weights()[k % kHalf] * std::exp(logarithms[k]);
+      const double x = density_.outer(u[k]),
+                   value = half * Gauss::weights()[k % kHalf] * std::exp(density_.below(smooth[k]));
       sum += Moments(value, value * x, value * x * x);
     }
     return sum;
