@@ -7,6 +7,8 @@
 #include "dataset/metadata.h"
 
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
+DEFINE_string(lambda_II, "", "of an ellipse: lambda at the front and rear, where mode II acts");
+DEFINE_string(lambda_III, "", "of an ellipse: lambda at the sides, where mode III acts");
 DEFINE_string(parameters, "", "all parameters of the model, such as r=1.77,eta=2.28");
 DEFINE_string(shear, "", "tangential loads T: \"0,5,10\", or \"0,5,10 mN\" if dimensional");
 DEFINE_string(units, "mN,mm", "force and length unit of dimensional output, and of numbers without a unit");
@@ -17,8 +19,13 @@ void print_numbers(std::initializer_list<double> numbers) {
   for (const double& one : numbers) std::cout << (&one == numbers.begin() ? "" : ",") << shortest(one);
 }
 
+bool is_elliptic() { return value_of("shape") == "ellipse"; }
+
 OutputUnits output_units() {
-  Overrides overrides = metadata_overrides();
+  // Mode III at the edge of an ellipse depends on Poisson's ratio, whatever states the modulus.
+  std::vector<std::string_view> others;
+  if (is_elliptic()) others = {"shape", is_set("youngs_modulus") ? "" : "poisson_ratio"};
+  Overrides overrides = metadata_overrides(others);
   if (is_set("definition")) overrides.emplace_back("definition", value_of("definition"));
   const Metadata metadata = stated_by(overrides);
   require_whole_modulus(metadata, {}, overrides);
@@ -52,12 +59,12 @@ std::string OutputUnits::headings(std::string_view names) const {
   std::string line;
   for (const std::string_view name : split(names)) {
     const bool is_force = name == "P" || name == "T" || name == "y" || name.starts_with("T_");
-    const bool is_length = name == "a" || name == "u";
-    const std::string unit = is_force                   ? force
-                             : is_length                ? length
-                             : name == "A"              ? area()
-                             : name == "psi" && contact ? "rad"
-                                                        : "";
+    const bool is_length = name == "a" || name == "b" || name == "u";
+    const std::string unit = is_force                             ? force
+                             : is_length                          ? length
+                             : name == "A"                        ? area()
+                             : name.starts_with("psi") && contact ? "rad"
+                                                                  : "";
     line += (line.empty() ? "" : ",") + bracketed(std::string(name), unit);
   }
   return line;
@@ -91,9 +98,11 @@ Load load_from(const std::string& flag, const OutputUnits& units) {
 
 namespace {
 
-/// The parameters from --parameters and --lambda, by name.
-std::map<std::string, std::string> parameter_texts() {
-  std::map<std::string, std::string> given;
+using Texts = std::map<std::string, std::string>;
+
+/// The parameters from --parameters and the flags of one parameter, by name.
+Texts parameter_texts() {
+  Texts given;
   for (const std::string& item : list_from("parameters")) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos) throw refused("parameters", "'" + item + "' is not NAME=NUMBER");
@@ -101,9 +110,39 @@ std::map<std::string, std::string> parameter_texts() {
     if (!given.emplace(name, item.substr(equals + 1)).second)
       throw UsageError("flag '--parameters' names '" + name + "' twice");
   }
-  if (is_set("lambda") && !given.emplace("lambda", FLAGS_lambda).second)
-    throw UsageError("flags '--lambda' and '--parameters' both give lambda");
+  for (const char* name : {"lambda", "lambda_II", "lambda_III"})
+    if (is_set(name) && !given.emplace(name, value_of(name)).second)
+      throw UsageError("flags '--" + std::string(name) + "' and '--parameters' both give " + name);
   return given;
+}
+
+/// Takes the parameters NAME + `suffix` of the model out of `given`.
+ParameterValues taken_from(Texts& given, const ContactModel& model, const std::string& suffix,
+                           std::optional<std::size_t> except) {
+  const std::string key(model.info().key);
+  const std::span<const ParameterInfo> infos = model.parameters();
+  ParameterValues p = ParameterValues::zeros(infos.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const ParameterInfo& info = infos[i];
+    const std::string name = std::string(info.name) + suffix;
+    if (i == except) continue;
+    const auto found = given.find(name);
+    if (found == given.end())
+      throw UsageError("model " + key + (suffix.empty() ? "" : " of an ellipse") + " needs " +
+                       (info.name == "lambda" ? "--" + name : "--parameters=" + name + "=..."));
+    const auto value = parse_number(found->second);
+    if (!value || !(*value >= info.lower && *value <= info.upper))
+      throw UsageError(name + " is '" + found->second + "'; model " + key + " needs a number from " +
+                       shortest(info.lower) + " to " + shortest(info.upper));
+    p[i] = *value;
+    given.erase(found);
+  }
+  return p;
+}
+
+void require_no_other(const Texts& given, const ContactModel& model) {
+  if (!given.empty())
+    throw UsageError("model " + std::string(model.info().key) + " has no parameter '" + given.begin()->first + "'");
 }
 
 }  // namespace
@@ -118,28 +157,19 @@ void require_contact(const ContactModel& model, const ParameterValues& p, double
 }
 
 ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except) {
-  const std::string key(model.info().key);
-  const std::span<const ParameterInfo> infos = model.parameters();
-  std::map<std::string, std::string> given = parameter_texts();
-  ParameterValues p = ParameterValues::zeros(infos.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const ParameterInfo& info = infos[i];
-    const std::string name(info.name);
-    if (i == except) continue;
-    const auto found = given.find(name);
-    if (found == given.end())
-      throw UsageError("model " + key + " needs " + (name == "lambda" ? "--lambda" : "--parameters=" + name + "=..."));
-    const auto value = parse_number(found->second);
-    if (!value || !(*value >= info.lower && *value <= info.upper))
-      throw UsageError(name + " is '" + found->second + "'; model " + key + " needs a number from " +
-                       shortest(info.lower) + " to " + shortest(info.upper));
-    p[i] = *value;
-    given.erase(found);
-  }
-  if (except && given.contains(std::string(infos[*except].name)))
-    throw UsageError("parameter " + std::string(infos[*except].name) +
+  Texts given = parameter_texts();
+  ParameterValues p = taken_from(given, model, "", except);
+  if (except && given.contains(std::string(model.parameters()[*except].name)))
+    throw UsageError("parameter " + std::string(model.parameters()[*except].name) +
                      " is on the axis of the map: only the others are stated");
-  if (!given.empty()) throw UsageError("model " + key + " has no parameter '" + given.begin()->first + "'");
+  require_no_other(given, model);
+  return p;
+}
+
+EndParameterValues end_parameters_from_flags(const ContactModel& model) {
+  Texts given = parameter_texts();
+  EndParameterValues p{taken_from(given, model, "_II", {}), taken_from(given, model, "_III", {})};
+  require_no_other(given, model);
   return p;
 }
 

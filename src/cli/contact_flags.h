@@ -28,6 +28,9 @@ struct OutputUnits {
 /// Prints numbers in full precision, separated by commas.
 void print_numbers(std::initializer_list<double> numbers);
 
+/// Whether --shape=ellipse is given; as a number --shape is a constant of the data.
+bool is_elliptic();
+
 /// Made from --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError
 /// if only some of them are given.
 OutputUnits output_units();
@@ -51,5 +54,11 @@ void require_contact(const ContactModel& model, const ParameterValues& p, double
 /// The parameters of a model. Throws UsageError if one is missing or out of range. The parameter with the index
 /// `except` must not be given and stays 0.
 ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except = {});
+
+/// The same for the two modes at the edge of an ellipse: NAME_II and NAME_III for each parameter of the model.
+struct EndParameterValues {
+  ParameterValues mode_II, mode_III;
+};
+EndParameterValues end_parameters_from_flags(const ContactModel& model);
 
 }  // namespace mixity::cli

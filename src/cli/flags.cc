@@ -70,10 +70,11 @@ std::string shell_word(const std::string& word) {
 }
 
 /// Adds the flags that were given: those about the experiment, or those about reading a file.
-void add_set(bool of_experiment, Overrides& overrides) {
+void add_set(bool of_experiment, Overrides& overrides, std::span<const std::string_view> except = {}) {
   Metadata scratch;
   for (const MetadataField& field : metadata_fields()) {
     if (field.of_experiment != of_experiment || !is_set(field.name)) continue;
+    if (std::find(except.begin(), except.end(), field.name) != except.end()) continue;
     const std::string value = value_of(field.name);
     const std::string problem = set_field(scratch, field.name, value);
     if (!problem.empty()) throw refused(field.name, problem);
@@ -148,9 +149,9 @@ Overrides data_overrides() {
   return overrides;
 }
 
-Overrides metadata_overrides() {
+Overrides metadata_overrides(std::span<const std::string_view> except) {
   Overrides overrides;
-  add_set(true, overrides);
+  add_set(true, overrides, except);
   if (is_set("modulus") && is_set("youngs_modulus"))
     throw UsageError("flags '--modulus' and '--youngs_modulus': give one of them");
   return overrides;

@@ -3,6 +3,7 @@
 
 #include <gflags/gflags.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ FigureFormats figure_formats();
 /// The metadata flags that were given. Throws UsageError if one is unusable.
 Overrides data_overrides();
 
-/// The same without flags about reading the file.
-Overrides metadata_overrides();
+/// The same without flags about reading the file, and without those in `except`.
+Overrides metadata_overrides(std::span<const std::string_view> except = {});
 
 /// Throws UsageError for an unknown model.
 void require_model(const std::string& flag, const std::string& key);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mechanics/base/parameter_values.h"
+#include "mechanics/ellipse.h"
 #include "mechanics/states.h"
 
 namespace mixity {
@@ -108,6 +109,14 @@ class ContactModel {
   /// The regime for the strength tau0 > 0, or for unlimited strength if null. Null where there is no contact.
   std::optional<RegimeReport> regime(std::span<const double> p, double P, std::optional<double> tau0 = {}) const;
   SampledCurve curve(std::span<const double> p, double P, const CurveSampling& sampling) const;
+
+  // ---- An elliptic contact ----
+
+  /// Semi-axes at each T of a contact that is loaded from T = 0 and follows its stable branch. 0 <= T <= kLargestLoad;
+  /// no_equilibrium beyond its end, or below pull-off; invalid for parameters out of range, a Poisson's ratio outside
+  /// [0, 1/2], and laws whose tau does not grow with shear. Relative error of the axes below 1e-13 away from a fold.
+  /// `with_end`: looks for the end up to ten times the circle's natural scale of T even if no T lies beyond it.
+  Ellipses ellipses(const EndParameters& parameters, double P, std::span<const double> T, bool with_end = false) const;
 
   // ---- The model itself ----
 

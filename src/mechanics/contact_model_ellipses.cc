@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/any_law.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/elliptic_contact.h"
+#include "mechanics/non_monotone_curve.h"
+
+namespace mixity {
+
+Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::span<const double> T,
+                                bool with_end) const {
+  Ellipses result{std::vector<EllipseState>(T.size())};
+  const double nu = parameters.poisson_ratio;
+  if (!(nu >= 0 && nu <= 0.5) || !problem(parameters.mode_II, 0).empty() || !problem(parameters.mode_III, 0).empty() ||
+      !obstacle(parameters.mode_II, P).empty())
+    return result;
+  with_law(*law_, [&]<class Law>(const Law& law) {
+    const Parameters<Law> mode_II = parameters_from<Law>(parameters.mode_II),
+                          mode_III = parameters_from<Law>(parameters.mode_III);
+    const double small_II = law.small_shear(mode_II), small_III = law.small_shear(mode_III);
+    if (is_non_monotone(law, mode_II) || is_non_monotone(law, mode_III) || !std::isfinite(small_II + small_III)) return;
+    if (above_pull_off(P) < 0) {
+      for (EllipseState& state : result.at) state.status = EquilibriumStatus::no_equilibrium;
+      return;
+    }
+    EllipticContact contact(law, mode_II, mode_III, nu, P);
+    double most = 0;
+    for (std::size_t i = 0; i < T.size(); ++i)
+      if (T[i] >= 0 && T[i] <= kLargestLoad) {
+        result.at[i] = contact.at(T[i]);
+        most = std::max(most, T[i]);
+      }
+    if (with_end) most = std::max(most, 10 * circle_radius(P) / std::sqrt(std::max(small_II, small_III)));
+    result.end = contact.end(most);
+  });
+  return result;
+}
+
+}  // namespace mixity

@@ -1,0 +1,66 @@
+#include "mechanics/ellipse_pressure.h"
+
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/base/constants.h"
+
+namespace mixity {
+namespace {
+
+/// M_jk = int_0^inf ds/((A+s)^j (B+s)^k sqrt((A+s) (B+s) s)) for A = e^q, B = e^-q, A >= B.
+struct Potentials {
+  double M10, M01, M11, M21;
+};
+
+/// A^(j+k+1/2) M_jk = 2F1(k + 1/2, j + k + 1/2; j + k + 1; z) times the integral of the circle, z = 1 - B/A.
+double by_series(double j, double k, double of_circle, double z) {
+  double term = of_circle, sum = term;
+  for (double n = 0; n < 200 && term > 0.5 * std::numeric_limits<double>::epsilon() * sum; ++n) {
+    term *= (k + 0.5 + n) * (j + k + 0.5 + n) / ((j + k + 1 + n) * (n + 1)) * z;
+    sum += term;
+  }
+  return sum;
+}
+
+Potentials potentials(double q, double A, double B) {
+  constexpr double kNear = 0.25;  // of z: beyond, the differences below lose less than a digit
+  const double z = -std::expm1(-2 * q), half_pi = 0.5 * pi<double>();
+  if (z < kNear) {
+    const double one = B * std::sqrt(B);  // A^(-3/2)
+    return {by_series(1, 0, half_pi, z) * one, by_series(0, 1, half_pi, z) * one,
+            by_series(1, 1, 0.75 * half_pi, z) * one * B, by_series(2, 1, 0.625 * half_pi, z) * one * B * B};
+  }
+  const double M10 = 2.0 / 3 * boost::math::ellint_rd(0.0, B, A), M01 = 2.0 / 3 * boost::math::ellint_rd(0.0, A, B);
+  const double M11 = (M10 - M01) / (B - A), M20 = (M10 - B * M11 / 3) / A;
+  return {M10, M01, M11, (M20 - M11) / (B - A)};
+}
+
+/// For q >= 0. The equations of a paraboloid with A B = 1, and their derivatives: (j + 1/2) A M_(j+1)k + (k + 1/2) B
+/// M_j(k+1) = (j + k + 1/2) M_jk, by parts.
+EllipsePressure of_long_axis(double q) {
+  const double A = std::exp(q), B = std::exp(-q);
+  const auto [M10, M01, M11, M21] = potentials(q, A, B);
+  const double X = A * M11, Y = B * M11;
+  const double m11 = 2 * M10 - Y, m12 = Y - M10, m21 = X - M01, m22 = 2 * M01 - X, determinant = m11 * m22 - m12 * m21;
+  const double alpha = (m22 - m12) / determinant, beta = (m11 - m21) / determinant;
+  const double dM10 = Y - 1.5 * M10, dM01 = 1.5 * M01 - X, dM11 = -1.5 * (2 * A * M21 - 5.0 / 3 * M11);
+  const double dX = X + A * dM11, dY = -Y + B * dM11;
+  const double r1 = -((2 * dM10 - dY) * alpha + (dY - dM10) * beta),
+               r2 = -((dX - dM01) * alpha + (2 * dM01 - dX) * beta);
+  const double d_alpha = (m22 * r1 - m12 * r2) / determinant, d_beta = (m11 * r2 - m21 * r1) / determinant;
+  const double half_pi = 0.5 * pi<double>();
+  return {half_pi * (2 * alpha - beta), half_pi * (2 * beta - alpha), half_pi * (2 * d_alpha - d_beta),
+          half_pi * (2 * d_beta - d_alpha)};
+}
+
+}  // namespace
+
+EllipsePressure ellipse_pressure(double q) {
+  const EllipsePressure p = of_long_axis(std::abs(q));
+  if (q >= 0) return p;
+  return {p.across, p.along, -p.across_slope, -p.along_slope};
+}
+
+}  // namespace mixity

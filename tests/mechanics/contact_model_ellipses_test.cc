@@ -1,0 +1,172 @@
+// Semi-axes of elliptic contacts. The reference values come from the same equations in 45 digits (mpmath: Carlson's
+// integrals, Newton's method from T = 0 in twelve steps); the pressure was compared with the quadrature of its
+// potential.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mechanics/contact.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/ellipse_pressure.h"
+
+namespace mixity {
+namespace contact_model_ellipses_test {
+
+constexpr double kAxes = 1e-12;  // relative, away from folds
+
+ContactModel model(const char* key) { return ContactModel::find(key).value(); }
+
+Ellipses ellipses(const char* key, double mode_II, double mode_III, double nu, double P, const std::vector<double>& T,
+                  bool with_end = false) {
+  return model(key).ellipses({{&mode_II, 1}, {&mode_III, 1}, nu}, P, T, with_end);
+}
+
+TEST(Ellipses, HaveTheAxesOfAReferenceSolution) {
+  struct Case {
+    const char* model;
+    double P, mode_II, mode_III, nu, T, a, b;
+  };
+  const std::vector<Case> cases{{"c", 3, 0.008, 0, 0, 95.3202193183654, 2.5479939831433404134, 2.6075078768764035399},
+                                {"c", 3, 0.3, 0.1, 0, 16.1763776314092, 2.5251740032204218702, 2.5705824268718069618},
+                                {"c", -2, 0.2, 0.05, 0, 10.1121044067718, 2.1585812691941576352, 2.1803018884386622295},
+                                {"c", 3, 0.3, 0.1, 0.5, 16, 2.5124351550041199468, 2.5357083673031736812},
+                                {"c", 30, 0.1, 0.3, 0.25, 20, 3.630253394261424035, 3.5984419217261182524},
+                                {"c", -4, 0.5, 0.9, 0, 3, 1.8286470880185659913, 1.8197713036717792039},
+                                {"c", 0, 0.02, 0.15, 0.5, 1, 2.4177609388942251072, 2.4174885370139945836},
+                                {"a", 3, 0.3, 0.1, 0, 16, 2.5675256263234810158, 2.5966435698416821434},
+                                {"a", 10, 0.9, 0.5, 0.5, 20, 2.6218627538262779601, 2.7393181506399702536},
+                                {"b", 3, 0.3, 0.1, 0, 20, 2.503378994464522507, 2.5569318327488301278},
+                                {"b", -1, 1.2, 0.4, 0.5, 6, 2.2350119610423520054, 2.2421327003186556451},
+                                {"b", 20, 0.15, 0.15, 0.3, 60, 3.1774684049220222473, 3.1450892896545005926}};
+  for (const Case& one : cases) {
+    const Ellipses found = ellipses(one.model, one.mode_II, one.mode_III, one.nu, one.P, {one.T});
+    ASSERT_EQ(found.at[0].status, EquilibriumStatus::ok) << one.model << one.P;
+    EXPECT_NEAR(found.at[0].a / one.a, 1, kAxes) << one.model << ' ' << one.P;
+    EXPECT_NEAR(found.at[0].b / one.b, 1, kAxes) << one.model << ' ' << one.P;
+  }
+}
+
+TEST(Ellipses, OfEqualCouplingsAreCircles) {
+  for (const char* key : {"a", "b", "c"})
+    for (const double P : {-3.0, 0.0, 5.0, 200.0}) {
+      const double lambda = 0.2, end = model(key).first_stable_end({&lambda, 1}, P);
+      std::vector<double> T;
+      for (double share = 0; share < 0.995; share += 0.05) T.push_back(share * std::min(end, 50.0));
+      std::vector<double> A(T.size());
+      std::vector<EquilibriumStatus> status(T.size());
+      model(key).areas_at({&lambda, 1}, P, T, A, status);
+      const Ellipses found = ellipses(key, lambda, lambda, 0, P, T);
+      for (std::size_t i = 0; i < T.size(); ++i) {
+        ASSERT_EQ(found.at[i].status, status[i]) << key << P << ' ' << T[i];
+        EXPECT_NEAR(found.at[i].a / radius_from_area(A[i]), 1, kAxes) << key << P << ' ' << T[i];
+        EXPECT_NEAR(found.at[i].b / found.at[i].a, 1, kAxes);
+      }
+    }
+}
+
+/// The coupling of mode III enters model c as lambda/(1 - nu).
+TEST(Ellipses, OfModelCAreCirclesAlsoWherePoissonsRatioMakesTheCouplingsEqual) {
+  const Ellipses found = ellipses("c", 0.2, 0.1, 0.5, 3, {0, 5, 10, 18});
+  for (const EllipseState& one : found.at) EXPECT_NEAR(one.a / one.b, 1, kAxes);
+}
+
+TEST(Ellipses, ExchangeTheirAxesWithTheCouplings) {
+  for (const char* key : {"a", "b", "c"}) {
+    const Ellipses one = ellipses(key, 0.3, 0.1, 0, 3, {4, 12}), other = ellipses(key, 0.1, 0.3, 0, 3, {4, 12});
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(one.at[i].a / other.at[i].b, 1, kAxes);
+      EXPECT_NEAR(one.at[i].b / other.at[i].a, 1, kAxes);
+    }
+  }
+}
+
+TEST(Ellipses, AreJkrsCircleWithoutShear) {
+  for (const double T : {0.0, 1e-150, 1e-9}) {
+    const Ellipses found = ellipses("c", 0.3, 0.1, 0.5, 3, {T});
+    EXPECT_NEAR(found.at[0].a / jkr_radius(3.0), 1, 1e-15) << T;
+    EXPECT_NEAR(found.at[0].b / jkr_radius(3.0), 1, 1e-15) << T;
+  }
+}
+
+/// ln(a/b) = -(lambda_II - lambda_III) T^2/(8 a^3 (y + pi)) to first order, from the criterion linearised at the circle
+/// of the mean coupling.
+TEST(Ellipses, OfNearlyEqualCouplingsFollowTheFirstOrder) {
+  const double lambda = 0.2, T = 16, P = 3;
+  std::vector<double> A(1);
+  std::vector<EquilibriumStatus> status(1);
+  model("c").areas_at({&lambda, 1}, P, std::vector{T}, A, status);
+  const double a = radius_from_area(A[0]), y = edge_load(a, P);
+  std::vector<double> off;
+  for (const double apart : {1e-2, 1e-3}) {
+    const Ellipses found = ellipses("c", lambda + apart / 2, lambda - apart / 2, 0, P, {T});
+    const double first = -apart * T * T / (8 * a * a * a * (y + pi<double>()));
+    off.push_back(std::abs(std::log(found.at[0].a / found.at[0].b) / first - 1));
+  }
+  EXPECT_LT(off[0], 1e-3);
+  EXPECT_NEAR(off[1] / off[0], 0.01, 0.002);  // q is odd in the difference: what is left falls with its square
+}
+
+TEST(Ellipses, EndAtAFoldBeforeTheCircleOfTheMeanCoupling) {
+  const double mean = 0.004, circle = model("c").first_stable_end({&mean, 1}, 3);
+  const Ellipses found = ellipses("c", 0.008, 0, 0, 3, {}, true);
+  ASSERT_TRUE(found.end);
+  EXPECT_EQ(found.end->kind, EllipseEnd::fold);
+  EXPECT_LT(found.end->T, 0.9999 * circle);
+  const double T = found.end->T;
+  const Ellipses around = ellipses("c", 0.008, 0, 0, 3, {T * (1 - 1e-9), T * (1 + 1e-9)});
+  EXPECT_EQ(around.at[0].status, EquilibriumStatus::ok);
+  EXPECT_EQ(around.at[1].status, EquilibriumStatus::no_equilibrium);
+  EXPECT_TRUE(std::isnan(around.at[1].a));
+}
+
+/// Under model b large loads reach Hertz smoothly; a circle does at sqrt(6 pi P)/sin(pi lambda/4).
+TEST(Ellipses, EndWhereTheEdgeCloses) {
+  const double P = 30;
+  const Ellipses circle = ellipses("b", 0.15, 0.15, 0, P, {}, true), found = ellipses("b", 0.2, 0.1, 0, P, {}, true);
+  ASSERT_TRUE(circle.end && found.end);
+  EXPECT_NEAR(circle.end->T * std::sin(pi<double>() * 0.15 / 4) / std::sqrt(6 * pi<double>() * P), 1, 1e-10);
+  EXPECT_EQ(found.end->kind, EllipseEnd::closes_along);
+  const auto [kind, T, a, b] = *found.end;
+  // K_I = 0 at (a, 0), to the square root of the rounding of w
+  EXPECT_NEAR(4.0 / 3 * std::pow(a * b, 1.5) * ellipse_pressure(std::log(a / b)).along / P, 1, 1e-9);
+  EXPECT_EQ(ellipses("b", 0.2, 0.1, 0, P, {T * 1.001}).at[0].status, EquilibriumStatus::no_equilibrium);
+  EXPECT_EQ(ellipses("b", 0.1, 0.2, 0, P, {}, true).end->kind, EllipseEnd::closes_across);
+}
+
+/// With lambda_III = 0 K_I at (a, 0) falls with the load at the end, but the fold comes first.
+TEST(Ellipses, OfModelCHaveAFoldBeforeTheEdgeCloses) {
+  for (const double P : {3.0, 100.0, 1e4, 1e6}) {
+    const Ellipses found = ellipses("c", 0.008, 0, 0, P, {}, true);
+    ASSERT_TRUE(found.end);
+    EXPECT_EQ(found.end->kind, EllipseEnd::fold) << P;
+    const double w = 4.0 / 3 * std::pow(found.end->a * found.end->b, 1.5);
+    EXPECT_GT(w * ellipse_pressure(std::log(found.end->a / found.end->b)).along, P) << P;
+  }
+}
+
+TEST(Ellipses, OfUncoupledModesStayJkrsCircle) {
+  const Ellipses found = ellipses("c", 0, 0, 0.5, 3, {0, 1e3, 1e150}, true);
+  EXPECT_FALSE(found.end);
+  for (const EllipseState& one : found.at) EXPECT_EQ(one.a, one.b);
+}
+
+TEST(Ellipses, OfModelAReachAnAsymptote) {
+  const Ellipses found = ellipses("a", 0.3, 0.1, 0, 3, {1e2, 1e4, 1e6, 1e8});
+  for (const EllipseState& one : found.at) EXPECT_EQ(one.status, EquilibriumStatus::ok);
+  EXPECT_NEAR(found.at[3].a / found.at[2].a, 1, 1e-5);
+}
+
+TEST(Ellipses, AreNeverNaNWithoutAStatus) {
+  const std::vector<double> T{0, 1, -1, std::nan(""), 1e200, 30};
+  for (const double nu : {0.5, -0.1, 0.6})
+    for (const double P : {3.0, -10.0, std::nan("")})
+      for (const double lambda : {0.3, -1.0, 2.0})
+        for (const EllipseState& one : ellipses("c", lambda, 0.1, nu, P, T).at)
+          EXPECT_EQ(one.status == EquilibriumStatus::ok, std::isfinite(one.a) && std::isfinite(one.b));
+}
+
+}  // namespace contact_model_ellipses_test
+}  // namespace mixity
