@@ -109,6 +109,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
   StandardErrors& errors = *prepared_.errors;
+  first_minimum_.clear();
   SolverOptions quick = options_of_rounds();
   const double points = static_cast<double>(prepared_.used.size());
   if (many) quick.kernel_stationary = kEnough / std::sqrt(points);
