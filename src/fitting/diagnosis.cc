@@ -94,6 +94,15 @@ bool sliding_is_tried(const Case& of, const Points& points) {
   return cut && explains(of.data, cut->fit);
 }
 
+/// The fit without the ends of the runs if it explains the points; of many points a sample is tried first.
+std::optional<FitResult> explained_without_ends(const Case& of, const FitResult& whole, const Points& points) {
+  constexpr std::size_t kSome = 200;
+  const auto explained = [&](const FitResult& without) { return is_found(without) && explains(of.data, without); };
+  if (points.size() >= 2 * kSome && !explained(without_ends(of, whole, thinned(points, kSome)))) return std::nullopt;
+  FitResult without = without_ends(of, whole, points);
+  return explained(without) ? std::optional(std::move(without)) : std::nullopt;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
@@ -124,8 +133,8 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
   if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size()), {}, {}};
   if (!to_beat && data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
-    if (const FitResult without = without_ends(of, whole, points); is_found(without) && explains(data, without))
-      return {"the model describes the points but for the last tenth of each run; without it " + lambda_text(without),
+    if (const auto without = explained_without_ends(of, whole, points))
+      return {"the model describes the points but for the last tenth of each run; without it " + lambda_text(*without),
               {},
               {}};
   if (!wrong_constant(fit) && !runs_differ(fit, kChance)) return {failed, {}, {}};

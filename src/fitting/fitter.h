@@ -41,6 +41,7 @@ class Fitter {
   Verdict find_minimum();
   Verdict minimum_with_its_errors();
   bool settle_errors(std::vector<double>& x);
+  bool leads_to_the_same_errors(const std::vector<double>& x);
   void restore_errors();
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
@@ -82,6 +83,7 @@ class Fitter {
   std::unique_ptr<ModelProblem> problem_;
   std::optional<RobustProblem> robust_;
   std::optional<ProblemWithPriors> cost_;
+  std::vector<double> first_minimum_;     // of the first of the rounds that find the errors
   std::optional<CourseTest> off_course_;  // the course because of which the fitted errors were discarded
   double unit_ = 1;                       // divisor of the data's residuals in cost_
   FitResult result_;

@@ -23,6 +23,15 @@ void weigh_as_student(std::vector<double>& residuals) {
   for (double& r : residuals) r *= std::sqrt((errors.freedom + 1) / (errors.freedom + std::pow(r / errors.scale, 2)));
 }
 
+/// For the minimum of one round: the rest is left to the next.
+SolverOptions options_of_rounds() {
+  SolverOptions quick;
+  quick.engine = Engine::kernel;
+  quick.last_digits = false;
+  quick.most_iterations_shown = quick.most_iterations;
+  return quick;
+}
+
 }  // namespace
 
 /// The minimum with self-consistent errors.
@@ -53,8 +62,28 @@ Verdict Fitter::minimum_with_its_errors() {
         settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled - kSamePlace * unit;
     if (!elsewhere || again == kMost) return verdict;
     x = verdict.best.x;
+    if (leads_to_the_same_errors(x)) return verdict;
     restore_errors();
   }
+}
+
+/// Whether the rounds, started again from x with the first errors, would begin at the minimum at which the last ones
+/// began: then they would find the same. Of millions of points the errors are not kept for this test.
+bool Fitter::leads_to_the_same_errors(const std::vector<double>& x) {
+  constexpr double kSame = 1e-6;  // relative, or of the range: far above the rounding of a minimum
+  if (prepared_.used.size() >= kManyPoints || first_minimum_.size() != x.size()) return false;
+  StandardErrors settled = *prepared_.errors;
+  std::unique_ptr<ModelProblem> with_settled = std::move(problem_);
+  restore_errors();
+  const auto minimum = descend(ProblemWithPriors(*problem_), x, options_of_rounds());
+  bool same = minimum.has_value();
+  for (std::size_t k = 0; same && k < x.size(); ++k) {
+    const double size = std::max(std::abs(first_minimum_[k]), problem_->parameters()[k].least_size());
+    same = std::abs(minimum->x[k] - first_minimum_[k]) <= kSame * size;
+  }
+  *prepared_.errors = std::move(settled);
+  problem_ = std::move(with_settled);
+  return same;
 }
 
 /// Recomputes the errors as before the first fit; a copy for millions of points would take much memory.
@@ -67,7 +96,7 @@ void Fitter::restore_errors() {
 /// curve, and estimates those that come from the scatter, until nothing changes. x: the minimum with them; emptied if
 /// the model is not defined there. False, with the errors as before, where the model does not describe the data.
 bool Fitter::settle_errors(std::vector<double>& x) {
-  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15, kLast = 10;
+  constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15, kLast = 10, kLeaps = 4;
   // The rounds of each stage. The first fit, about which differing runs are linearised, may be far off.
   const bool by_run = !options_.by_run.empty(), many = prepared_.used.size() >= kManyPoints && !by_run;
   const int more = by_run ? 6 : 0, weighting = (many ? 1 : 2) + more, choosing = 2 * weighting - more,
@@ -81,10 +110,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
   StandardErrors& errors = *prepared_.errors;
-  SolverOptions quick;
-  quick.engine = Engine::kernel;
-  quick.last_digits = false;
-  quick.most_iterations_shown = quick.most_iterations;  // the rest is left to the next round
+  first_minimum_.clear();
+  SolverOptions quick = options_of_rounds();
   const double points = static_cast<double>(prepared_.used.size());
   const SolverOptions exactly;
   double last_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
@@ -94,12 +121,13 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
   double largest = 0;  // change of the last rounds
+  int leaps = 0;       // rounds in succession that leap although the models of the errors no longer change
   bool apart = false;  // the runs differ: each one's level is removed before errors are estimated
   const int most = (purpose_ == Purpose::tried ? kRoundsOfTrial : kRounds) + more;
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
     if (free && (round == 0 || !by_run)) {  // else together with the deviations of the runs
-      const double enough = (many ? kEnough : kNext * std::min(last_change, 1.0)) / std::sqrt(points);
+      const double enough = (many ? kEnough : round == 0 ? 0 : kNext * std::min(last_change, 1.0)) / std::sqrt(points);
       quick.kernel_stationary = std::max(enough, exactly.kernel_stationary);
       quick.kernel_stationary_of_several = std::max(enough, exactly.kernel_stationary_of_several);
       const auto minimum = descend(cost, x, quick);
@@ -108,6 +136,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
         return true;
       }
       x = minimum->x;
+      if (round == 0) first_minimum_ = x;
       quick.most_iterations = quick.most_iterations_shown = kNextIterations;
     }
     std::vector<double> leverage;
@@ -180,9 +209,12 @@ bool Fitter::settle_errors(std::vector<double>& x) {
           moved * moved <= kLeft * (before - moved))
         break;
     }
-    // Errors that leap to and fro tell nothing of the data: rounding decides where they stop.
+    // Errors that leap to and fro tell nothing of the data: rounding decides where they stop. Where the rounds settle,
+    // no two in succession leap at the end.
     if (round >= most - kLast) largest = std::max(largest, change);
-    if (round + 1 == most && largest > kLeap && purpose_ != Purpose::tried && !by_run) {
+    leaps = round > refining && change > kLeap ? leaps + 1 : 0;
+    const bool never = leaps == kLeaps || (round + 1 == most && largest > kLeap);
+    if (never && purpose_ != Purpose::tried && !by_run) {
       restore_errors();
       return false;
     }

@@ -73,10 +73,17 @@ class Distances {
     return true;
   }
 
-  /// Where Newton's method starts for one remaining point: consecutive slots of the block.
+  /// Where Newton's method starts, and then where it is; its distance once it has ended on the curve.
+  struct Start {
+    std::size_t index;
+    PlanePlace at;
+    double distance = kLargest;
+  };
+
+  /// The starts for one remaining point: consecutive ones, the last three of each approach.
   struct Starts {
     Left* left;
-    std::size_t first, count;
+    std::size_t first, end;
     std::vector<Approach> found;
   };
 
@@ -90,84 +97,93 @@ class Distances {
 
   /// Newton's method from a known point of the curve, where it has not converged yet. A global search also starts from
   /// each part of the curve's outline that comes near the measured point, and from both ends of that part, since there
-  /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section. Points
-  /// of one load share a block.
+  /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section.
   void search_curves() {
     std::optional<RayTable<Law>> table;
     if (search_ == Search::global) table.emplace(family_);
     double P = std::numeric_limits<double>::quiet_NaN();
-    std::vector<Starts> together;
-    std::size_t used = 0;
-    const auto run = [&] {
-      if (used > 0) search_from(together, used, table);
-      together.clear();
-      used = 0;
+    const auto set_load = [&](double load) {
+      if (load == P) return;
+      P = load;
+      const CurveBounds ends = curve_bounds(family_, P);
+      table->set_load(P, {ends.T, ends.A});
     };
+    std::vector<Start> all;
+    std::vector<Starts> of_points;
     for (Left& left : left_) {
       const std::size_t i = left.index;
-      if (table && points_.P[i] != P) {
-        run();
-        P = points_.P[i];
-        const CurveBounds ends = curve_bounds(family_, P);
-        table->set_load(P, {ends.T, ends.A});
+      Starts starts{&left, all.size(), 0, {}};
+      if (!std::isfinite(left.place.distance)) {
+        load(0, i);
+        const Place known = known_place(family_, block_, 0);
+        all.push_back({i, {known.T, known.A}});
       }
-      Starts starts{&left, used, 0, {}};
-      if (table)
-        approaches(table->places(), {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i],
-                   1 / points_.sigma_A[i], kApproaches, starts.found);
-      const bool lost = !std::isfinite(left.place.distance);
-      starts.count = (lost ? 1 : 0) + 3 * starts.found.size();
-      if (starts.count == 0) continue;
-      if (used + starts.count > kBlock) run();
-      starts.first = used;
-      const auto begin_at = [&](PlanePlace place) {
-        load(used, i);
-        block_.T[used] = place.T;
-        block_.A[used++] = place.A;
-      };
-      if (lost) {
-        load(used, i);
-        const Place known = known_place(family_, block_, used);
-        begin_at({known.T, known.A});
+      if (table) {
+        set_load(points_.P[i]);
+        const std::vector<PlanePlace>& outline = table->places();
+        approaches(outline, {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i], 1 / points_.sigma_A[i],
+                   kApproaches, starts.found);
+        for (const Approach& approach : starts.found) {
+          all.push_back({i, approach.place});
+          for (const int side : {-1, 2})
+            all.push_back(
+                {i, outline[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table->last()))]});
+        }
       }
-      for (const Approach& approach : starts.found) {
-        begin_at(approach.place);
-        for (const int side : {-1, 2})
-          begin_at(table->places()[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table->last()))]);
-      }
-      together.push_back(std::move(starts));
+      starts.end = all.size();
+      if (starts.end > starts.first) of_points.push_back(std::move(starts));
     }
-    run();
-  }
-
-  void search_from(const std::vector<Starts>& together, std::size_t used, const std::optional<RayTable<Law>>& table) {
-    for (std::size_t slot = used; slot < kBlock; ++slot) {  // idle slots repeat the first
-      load(slot, together.front().left->index);
-      block_.T[slot] = block_.T[0];
-      block_.A[slot] = block_.A[0];
-    }
-    run_block<Begin::anywhere>(family_, kStepsOfSearch, false, block_, result_);
-    const auto reached = [&](std::size_t slot) {
-      return block_.settled[slot] > 0 && result_.on_curve[slot] > 0 ? result_.distance[slot] : kLargest;
-    };
-    for (const Starts& starts : together) {
+    settle_all(all);
+    for (const Starts& starts : of_points) {
       Left& left = *starts.left;
-      const std::size_t end = starts.first + starts.count;
-      for (std::size_t slot = starts.first; slot < end; ++slot)
-        if (reached(slot) < left.place.distance) left.place = {block_.T[slot], block_.A[slot], reached(slot)};
+      for (std::size_t k = starts.first; k < starts.end; ++k)
+        if (all[k].distance < left.place.distance) left.place = {all[k].at.T, all[k].at.A, all[k].distance};
       for (std::size_t k = 0; k < starts.found.size(); ++k) {
         const Approach& approach = starts.found[k];
-        const std::size_t slot = end - 3 * (starts.found.size() - k);
-        const double best = std::min({reached(slot), reached(slot + 1), reached(slot + 2)});
+        const Start* const three = &all[starts.end - 3 * (starts.found.size() - k)];
+        const double best = std::min({three[0].distance, three[1].distance, three[2].distance});
         if (!(approach.distance < left.place.distance && best > 2 * approach.distance + 0.5)) continue;
+        set_load(points_.P[left.index]);
+        set_point(block_, 0, points_, left.index);
         const auto distance = [&](double u) {
           const PlanePlace place = table->at(u);
-          return distance_to(block_, starts.first, place.T, place.A);
+          return distance_to(block_, 0, place.T, place.A);
         };
         const double low = std::max(approach.segment - 1, 0), high = std::min(approach.segment + 2, table->last());
         const double u = golden_section(low, high, distance), d = distance(u);
         if (d < left.place.distance * (1 - 1e-9)) left.place = {table->at(u).T, table->at(u).A, d};
       }
+    }
+  }
+
+  /// Newton's method from all starts. Those that take many steps, or never settle, continue in blocks of their own:
+  /// one such start would cost all others of its block as many steps.
+  void settle_all(std::vector<Start>& all) {
+    std::vector<Start*> open, next;
+    for (Start& start : all) open.push_back(&start);
+    int taken = 0;
+    for (const int until : {kSteps, 3 * kSteps, kStepsOfSearch}) {
+      for (std::size_t from = 0; from < open.size(); from += kBlock) {
+        const std::size_t count = std::min(kBlock, open.size() - from);
+        for (std::size_t slot = 0; slot < kBlock; ++slot) {
+          const Start& start = *open[from + std::min(slot, count - 1)];
+          load(slot, start.index);
+          block_.T[slot] = start.at.T;
+          block_.A[slot] = start.at.A;
+        }
+        run_block<Begin::anywhere>(family_, until - taken, false, block_, result_);
+        for (std::size_t slot = 0; slot < count; ++slot) {
+          Start& start = *open[from + slot];
+          start.at = {block_.T[slot], block_.A[slot]};
+          if (!(block_.settled[slot] > 0))
+            next.push_back(&start);
+          else if (result_.on_curve[slot] > 0)
+            start.distance = result_.distance[slot];
+        }
+      }
+      taken = until;
+      open.swap(next);
+      next.clear();
     }
   }
 
