@@ -1,6 +1,8 @@
 // Ordinary exports of one experiment, in the forms that laboratories have them, are the same points.
 #include "dataset/table/exports.h"
 
+#include <regex>
+
 namespace mixity {
 namespace exports_test {
 
@@ -111,6 +113,16 @@ TEST(Exports, WithUnitsWhereverTheyStand) {
   expect_the_experiment("P_mN_,T_mN_,A_mm2_\n" + lines({','}));                               // MATLAB's writetable
   expect_the_experiment("% P [mN] T [mN] A [mm^2]\n" + lines({' '}));                         // and its own comments
   expect_the_experiment("Normal load\tShear load\tContact area\nmN\tmN\tmm\\+(2)\n" + rows);  // Origin
+}
+
+TEST(Exports, WithQuotesInLinesOfWords) {
+  const std::string rows = "P (mN)\tT (mN)\tA (mm^2)\n" + lines({'\t'});
+  for (const char* line : {"Operator: James \"Jim\" Smith\n", "\"Jim\" Smith, 4\" wafer\n", "Wafer\t4\" glass\n"})
+    expect_the_experiment(line + rows);
+  // commands of Igor below the table
+  expect_the_experiment("IGOR\nWAVES/D\tP_mN\tT_mN\tA_mm2\nBEGIN\n\t" +
+                        std::regex_replace(lines({'\t'}), std::regex("\n(?=.)"), "\n\t") +
+                        "END\nX SetScale/P x 0,1,\"\", P_mN; SetScale y 0,0,\"mN\", P_mN\n");
 }
 
 TEST(Exports, WithMoreWordsThanNumbers) {
