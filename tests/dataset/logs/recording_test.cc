@@ -100,6 +100,13 @@ TEST(Recordings, WithoutAQuantityNameTheColumnThatMayHoldIt) {
             "column is P: --columns=\"P=Kraft 1 [mN]\"");
 }
 
+TEST(Recordings, WithoutForcesNameTheColumnsThatMayHoldThem) {
+  EXPECT_NE(read("time [s],Kraft 1 [mN],Kraft 2 [mN],A [mm^2]\n0,1,2,0.3\n1,1,2,0.3\n2,1,2,0.3\n")
+                .advice.text()
+                .find("P=HEADING (UNIT),T=HEADING (UNIT)"),
+            std::string::npos);
+}
+
 TEST(Recordings, WithoutUnitsAreRefusedWithOneMappingForAllOfThem) {
   const std::string rows = "\n0,1,2,0.3\n1,1,2,0.3\n2,1,2,0.3\n";
   EXPECT_EQ(error_of("time [s],Fn,Ft,A [mm^2]" + rows),

@@ -232,6 +232,12 @@ TEST(Exports, OfImagePrograms) {
   const auto pixels = [](const Row& row) { return std::vector<double>{row[0], row[1], row[2] / (1.7e-3 * 1.7e-3)}; };
   expect_the_experiment("Normal force (mN),Shear force (mN),Contact area (px)\n" + lines({',', Form{}.field, pixels}),
                         {{"pixel", "1.7 um"}});
+  const TemporaryFolder folder;
+  EXPECT_NE(input_error([&] {
+              load_dataset(folder.write("Results.csv", "P_mN,T_mN,Area\n" + lines({',', Form{}.field, pixels})),
+                           {{"pixel", "1.7 um"}});
+            }).find("say its unit: --columns=\"A=Area (px)\""),
+            std::string::npos);
   const auto axes = [](double stretch, double factor) {
     return [=](const Row& row) {
       const double a = factor * std::sqrt(row[2] / std::numbers::pi);
