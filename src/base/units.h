@@ -27,8 +27,12 @@ struct Unit {
   std::string text;  // as written
 };
 
-/// Null if the text is not a unit. m, N, Pa, J, rad, s and Hz may have an SI prefix (p n u µ m c d k M G). Powers are
-/// written ^2, 2 or ², products with a space, '*' or '·'; '/' divides by the next unit only.
+/// Whether a text is the form of a clock: "hh:mm:ss", "HH:MM:SS.fff".
+bool is_form_of_clock(std::string_view text);
+
+/// Null if the text is not a unit; the form of a clock is one of time. m, N, Pa, J, rad, s and Hz may have an SI prefix
+/// (p n u µ m c d k M G). Powers are written ^2, 2 or ², products with a space, '*' or '·'; '/' divides by the next
+/// unit only. A power of ten may stand before it: "10^-3 N".
 std::optional<Unit> parse_unit(std::string_view text);
 
 /// The unit of this dimension that the text spells with other capitals: "MPa" for "Mpa"; of several, the one with the

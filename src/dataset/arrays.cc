@@ -61,7 +61,7 @@ Dataset make_dataset(const std::string& name, const std::vector<ArrayColumn>& co
     headings.push_back(split_heading(column.heading, {1, headings.size() + 1}));
   }
   Inputs inputs;
-  Collector collector("", headings, rules_of(metadata, inputs), data);
+  Collector collector("", headings, rules_of(metadata, inputs), std::nullopt, data);
   for (const std::optional<Column>& column : collector.columns().by_id)
     if (column && column->id != ColumnId::curve && !columns[column->index].texts.empty())
       throw InputError(name, "column '" + columns[column->index].heading + "' holds texts where numbers are wanted");

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "dataset/energies.h"
 #include "dataset/signs.h"
+#include "dataset/table/load_in_words.h"
 #include "dataset/table/vocabulary.h"
 #include "dataset/unnamed_runs.h"
 
@@ -72,8 +73,11 @@ std::vector<std::string> Runs::names() const {
 }
 
 Collector::Collector(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
-                     Dataset& data)
-    : metadata_path_(metadata_path), data_(data), reader_(metadata_path, headings, rules, data) {
+                     const std::optional<double>& load, Dataset& data)
+    : metadata_path_(metadata_path),
+      data_(data),
+      titles_(load ? &rules.known_names() : nullptr),
+      reader_(metadata_path, headings, rules, load, data) {
   using enum ColumnId;
   has_errors_ = false;
   for (const ColumnId id : {sigma_T, sigma_A, sigma_Gc, sigma_GI, sigma_GII}) has_errors_ |= columns().has(id);
@@ -81,7 +85,7 @@ Collector::Collector(const std::string& metadata_path, const std::vector<Heading
   data.mapping = columns().mapped;
 }
 
-void Collector::row(const CsvRow& row) {
+void Collector::row(const CsvRow& row, const std::optional<std::string_view>& run) {
   ReadPoint read;
   const std::string_view unusable = reader_.read(row, read);
   ++data_.rows;
@@ -94,9 +98,10 @@ void Collector::row(const CsvRow& row) {
     line_of_largest_ = row.line();
   }
   const Column* const name = columns().find(ColumnId::curve);
+  named_ |= run.has_value();
   const bool is_named = name && !row[name->index].empty();
   read.point.curve =
-      static_cast<Point::Index>(runs_.of(is_named ? std::optional(row[name->index]) : std::nullopt, read.point, data_));
+      static_cast<Point::Index>(runs_.of(is_named ? std::optional(row[name->index]) : run, read.point, data_));
   if (read.states_errors && !errors_in_fields_) {
     has_errors_ = errors_in_fields_ = true;
     data_.errors.resize(data_.points.size());
@@ -114,21 +119,41 @@ void Collector::leave_out(std::size_t line, std::string_view reason) {
 }
 
 void Collector::comment(const CsvRow& row) {
+  if (const auto load = titles_ ? last_load_in(row.raw(), *titles_) : std::nullopt)
+    return begin_run_at(std::string(trim(row.raw().substr(row.raw().find_first_not_of("# ")))), *load);
   if (row.size() >= columns().count && holds_a_number(row) && comments_++ == 0) first_comment_ = row.line();
 }
 
-void Collector::begin_table(const std::string& title) { tables_.push_back({data_.points.size(), title}); }
+void Collector::begin_table(const std::string& title) {
+  if (!titles_ || tables_.empty()) return tables_.push_back({data_.points.size(), title});
+  const auto load = load_in(title, *titles_);
+  const bool by_comment = tables_.size() > 1 && tables_.back().point == data_.points.size();
+  if (!load && by_comment) return;
+  if (!load) throw InputError(data_.path, "the title '" + title + "' states no load, which titles above it do");
+  begin_run_at(title, *load);
+}
+
+void Collector::begin_run_at(const std::string& title, double load) {
+  reader_.set_load(load);
+  tables_.push_back({data_.points.size(), title});
+}
 
 /// Names the runs by the titles of the tables, or by numbers if these are not all different.
 void Collector::take_tables_as_runs() {
   std::set<std::string> titles;
   for (const TableBegin& one : tables_) titles.insert(one.title);
   const bool by_title = titles.size() == tables_.size() && !titles.contains("");
+  std::set<double> loads;
+  for (const TableBegin& one : tables_)
+    if (titles_ && one.point < data_.points.size()) loads.insert(data_.points[one.point].P);
+  const bool by_load = loads.size() == tables_.size();
   runs_ = {};
   std::size_t k = 0;
   for (std::size_t i = 0; i < data_.points.size(); ++i) {
     while (k + 1 < tables_.size() && i >= tables_[k + 1].point) ++k;
-    const std::string name = by_title ? tables_[k].title : "table " + std::to_string(k + 1);
+    const std::string name = by_title  ? tables_[k].title
+                             : by_load ? name_by_load(data_.points[i].P, data_.display)
+                                       : "table " + std::to_string(k + 1);
     data_.points[i].curve = static_cast<Point::Index>(runs_.of(name, data_.points[i], data_));
   }
 }
@@ -202,7 +227,7 @@ void Collector::finish() {
     data_.notes.push_back("the file has a column of times, and " + std::to_string(data_.excluded.size()) + " of " +
                           std::to_string(data_.rows) +
                           " rows are no points: if it is a log, mixity runs makes loading runs of it");
-  if (reads_loads && !columns().has(ColumnId::curve) && !tables_are_runs()) {
+  if (reads_loads && !columns().has(ColumnId::curve) && !tables_are_runs() && !named_) {
     if (data_.curves.size() > 1) join_noisy_loads(data_);
     split_repeated_shear(data_);
   }

@@ -38,10 +38,12 @@ class Runs {
 class Collector {
  public:
   /// Throws InputError for headings that cannot be used, and as take_header does.
+  /// `load`: of the first rows, in N, if titles or comments above the rows of each run state their load.
   Collector(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
-            Dataset& data);
+            const std::optional<double>& load, Dataset& data);
   /// Adds the row as a point or as excluded. Throws InputError for a row that cannot be understood.
-  void row(const CsvRow& row);
+  void row(const CsvRow& row, const std::optional<std::string_view>& run = {});  // `run`: its name if no column has it
+  void set_load(double load) { reader_.set_load(load); }                         // in N, of the rows to come
   /// Adds a line that is not a row as excluded. `reason`: a fixed text.
   void leave_out(std::size_t line, std::string_view reason);
   void comment(const CsvRow& row);
@@ -59,11 +61,15 @@ class Collector {
   void finish_angles();
   void add_note_on_axes();
 
+  void begin_run_at(const std::string& title, double load);
+
   std::string metadata_path_;
   Dataset& data_;
+  const Vocabulary* titles_ = nullptr;  // by which titles state loads; null: they do not
   PointReader reader_;
   bool has_errors_;                // the table has a column of standard errors, or fields with them
   bool errors_in_fields_ = false;  // "0.61 +/- 0.05"
+  bool named_ = false;             // the runs of rows, where they stand side by side
   Runs runs_;
   std::vector<std::size_t> negative_angles_;  // points
   struct TableBegin {

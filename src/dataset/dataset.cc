@@ -9,6 +9,8 @@
 #include "base/input_error.h"
 #include "dataset/collector.h"
 #include "dataset/table/csv_file.h"
+#include "dataset/table/header_lines.h"
+#include "dataset/table/load_in_words.h"
 #include "dataset/table/table_rows.h"
 
 namespace mixity {
@@ -17,30 +19,69 @@ namespace {
 /// Makes points of the rows of a file.
 class PointsOfRows : public UseOfRows {
  public:
-  PointsOfRows(Collector& collector, const CsvFile& file, Dataset& data)
-      : collector_(collector), file_(file), data_(data) {}
+  /// `loads`: of runs side by side, in N, if their names state them.
+  PointsOfRows(Collector& collector, const CsvFile& file, RunsBeside beside, std::vector<double> loads, Dataset& data)
+      : collector_(collector), file_(file), beside_(std::move(beside)), loads_(std::move(loads)), data_(data) {}
 
   void row(const CsvRow& row) override {
     constexpr std::size_t kSample = 1000;  // points
-    collector_.row(row);
+    if (beside_.width > 0)
+      row_of_runs(row);
+    else
+      collector_.row(row);
     // Memory for all points, estimated from the first: a growing vector takes up to three times as much.
-    if (data_.points.size() == kSample)
+    if (data_.points.size() >= kSample && !reserved_) {
+      reserved_ = true;
       data_.points.reserve(static_cast<std::size_t>(1.25 * kSample / file_.progress()));
+    }
   }
   void comment(const CsvRow& row) override { collector_.comment(row); }
   void left_out(std::size_t line, std::string_view reason) override { collector_.leave_out(line, reason); }
-  void begin_table(const std::string& title) override { collector_.begin_table(title); }
+  void begin_table(const std::string& title) override {
+    if (beside_.width > 0)
+      throw InputError(data_.path, "has runs side by side in several tables; put each table into a file of its own");
+    collector_.begin_table(title);
+  }
 
  private:
+  void row_of_runs(const CsvRow& row) {
+    const std::size_t runs = beside_.names.size();
+    require_width(data_.path, row, runs * beside_.width, 0);
+    for (std::size_t k = 0; k < runs; ++k) {
+      const CsvRow part = row.part(k * beside_.width, beside_.width);
+      if (count_filled(part) == 0) continue;  // this run has ended
+      if (!loads_.empty()) collector_.set_load(loads_[k]);
+      collector_.row(part, beside_.names[k]);
+    }
+  }
+
   Collector& collector_;
   const CsvFile& file_;
+  RunsBeside beside_;
+  std::vector<double> loads_;
+  bool reserved_ = false;
   Dataset& data_;
 };
+
+/// Whether neither a column nor an option states loads.
+bool lacks_loads(const TableRows& rows, const ColumnRules& rules) {
+  if (!rows.table() || rules.load_stated) return false;
+  const auto columns = number_columns({}, rows.table()->headings, rules);
+  return std::none_of(columns.begin(), columns.end(),
+                      [](const NamedColumn& column) { return column.id == ColumnId::P || column.id >= ColumnId::psi; });
+}
+
+/// The load of the first rows if the titles of tables or comments above the rows of two runs state loads.
+std::optional<double> load_above_rows(const TableRows& rows, CsvFile& file, const ColumnRules& rules) {
+  const Vocabulary& names = rules.known_names();
+  if (count_lines_with_load(rows.head(), names) + count_lines_with_load(file.start(), names) < 2) return std::nullopt;
+  return last_load_in(rows.head(), names);
+}
 
 /// Reads the table of a file into a data set. If no table is found, reads the first row as headings; its error message
 /// then says what is wrong.
 void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data) {
-  const ColumnRules rules = rules_of(data.metadata, inputs);
+  ColumnRules rules = rules_of(data.metadata, inputs);
   CsvFile file(data.path, inputs, {data.metadata.sheet, data.metadata.decimal, &rules});
   const auto makes_points = [&](const Table& table) {
     try {
@@ -59,9 +100,19 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
     headings = headings_of(row);
   }
   data.notes = file.notes();
-  Collector collector(metadata_path, headings, rules, data);
+  const RunsBeside beside = rows.table() ? rows.table()->beside : RunsBeside{};
+  std::vector<double> loads;
+  if (lacks_loads(rows, rules))
+    for (const std::string& name : beside.names)
+      if (const auto one = load_in(name, rules.known_names())) loads.push_back(*one);
+  if (loads.size() < beside.names.size()) loads.clear();
+  const std::optional<double> load = !loads.empty()             ? std::optional(loads[0])
+                                     : lacks_loads(rows, rules) ? load_above_rows(rows, file, rules)
+                                                                : std::nullopt;
+  if (load) rules.load_stated = true;
+  Collector collector(metadata_path, headings, rules, load, data);
   collector.begin_table(rows.title());
-  PointsOfRows use(collector, file, data);
+  PointsOfRows use(collector, file, beside, loads, data);
   rows.read(use);
   if (file.encoding() != Encoding::utf8) data.reading = to_string(file.encoding());
   if (rows.table())

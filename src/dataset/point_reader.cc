@@ -68,8 +68,8 @@ struct PointReader::Numbers {
 };
 
 PointReader::PointReader(const std::string& metadata_path, const std::vector<Heading>& headings,
-                         const ColumnRules& rules, Dataset& data)
-    : load_(stated_load(data)),
+                         const ColumnRules& rules, const std::optional<double>& load, Dataset& data)
+    : load_(load ? load : stated_load(data)),
       path_(data.path),
       columns_(data.path, headings, rules),
       clocks_(data.path, headings, columns_, rules) {

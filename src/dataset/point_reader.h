@@ -46,8 +46,10 @@ struct ReadPoint {
 class PointReader {
  public:
   /// Reads the headings and calls take_header. Throws as take_header does, and InputError for unusable headings.
+  /// `load`: of the first rows, in N, if the file states it above them.
   PointReader(const std::string& metadata_path, const std::vector<Heading>& headings, const ColumnRules& rules,
-              Dataset& data);
+              const std::optional<double>& load, Dataset& data);
+  void set_load(double load) { load_ = load; }  // of the rows to come
 
   /// Reads a row into a point, except for its run. Returns why the row cannot be used, or an empty text. Throws
   /// InputError for a row that cannot be understood.

@@ -45,7 +45,7 @@ struct Form {
 
 std::vector<Form> forms_of(const BreakShape& shape) {
   std::vector<std::vector<double>> courses{{1}};
-  if (shape.bends) courses = {{1}, {2.0 / 3}, {1.5}, {1, 2}};
+  if (shape.bends) courses = {{0.5}, {2.0 / 3}, {5.0 / 6}, {1}, {7.0 / 6}, {4.0 / 3}, {1.5}, {1, 1.5}, {1, 2}};
   std::vector<Form> forms;
   for (std::size_t degree = shape.least_degree; degree <= shape.most_degree; ++degree) {
     if (shape.may_be_none) forms.push_back({degree, {}});
@@ -58,9 +58,7 @@ std::vector<Form> forms_of(const BreakShape& shape) {
   return forms;
 }
 
-double power(double u, double exponent) {
-  return exponent == 1 ? u : exponent == 2 ? u * u : exponent == 1.5 ? u * std::sqrt(u) : std::cbrt(u * u);
-}
+double power(double u, double exponent) { return exponent == 1 ? u : exponent == 2 ? u * u : std::pow(u, exponent); }
 
 class Breaks {
  public:

@@ -10,7 +10,7 @@ namespace mixity {
 /// elsewhere.
 struct BreakShape {
   std::size_t least_degree = 1, most_degree = 3;  // before the break
-  bool bends = false;                             // after the break: powers 2/3, 1 and 3/2 of the time, or a parabola
+  bool bends = false;                             // after the break: a power 2/3 to 3/2 of the time, or a parabola
   // After the break: where the line turns again; 0: nowhere. A jump may be anywhere between the break and the knee.
   double knee = 0;
   bool may_be_none = true;  // the polynomial may also continue without a break

@@ -88,6 +88,20 @@ TEST(Units, APrefixIsNotTakenForAUnitNorAUnitForAPrefix) {
   expect_unit({"mN", 1e-3, dimension::force});
 }
 
+TEST(Units, MayStandBehindAPowerOfTen) {
+  EXPECT_EQ(parse_unit("10^-3 N")->factor, parse_unit("mN")->factor);
+  EXPECT_EQ(parse_unit("1e-6 m^2")->factor, parse_unit("mm^2")->factor);
+  EXPECT_EQ(parse_unit("10⁻³ N")->dimension, dimension::force);
+  for (const char* text : {"10^-3", "10^-3 %", "10 N", "10^0 N", "10^-99 N", "10^-3N"})
+    EXPECT_FALSE(parse_unit(text)) << text;
+}
+
+TEST(Units, OfAClockAreItsForm) {
+  for (const char* text : {"hh:mm:ss", "h:mm:ss", "HH:MM:SS.fff", "hh:mm:ss,ms"})
+    EXPECT_EQ(parse_unit(text)->dimension, dimension::time) << text;
+  for (const char* text : {"hh:mm", "mm:ss", "h:m:s:f", ":"}) EXPECT_FALSE(parse_unit(text)) << text;
+}
+
 TEST(Units, KeepTheTextAsWritten) { EXPECT_EQ(parse_unit("  mJ/m² ")->text, "mJ/m²"); }
 
 TEST(Units, OfAPlainNumberStandAlone) {

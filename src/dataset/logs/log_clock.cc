@@ -91,16 +91,23 @@ double LogClock::time_of(const CsvRow& row) {
   double time = 0;
   if (empty_ && !row[*empty_].empty() && !is_missing(row[*empty_]))
     fail("time", "the row has a time where rows above have none");
-  if (time_ && row.number(column, time))
+  if (time_ && row.number(column, time)) {
+    if (is_form_of_clock(time_->unit.text))
+      fail("time",
+           "'" + std::string(row[column]) + "' is a number, not a time " + time_->unit.text + "; " + own_times());
     time *= time_->unit.factor;
-  else if (time_ && !row[column].empty() && !is_missing(row[column]))
+  } else if (const auto given = time_ ? parse_quantity(row[column]) : std::nullopt;
+             given && given->unit.dimension == dimension::time) {
+    time = given->si();  // "0.02 sec", as MATLAB writes durations
+  } else if (time_ && !row[column].empty() && !is_missing(row[column])) {
     time = clock_time(row);
-  else if (time_)
+  } else if (time_) {
     fail("time", "the row has no time; leave it out, or " + own_times());
-  else if (frame_)
+  } else if (frame_) {
     time = frame_time(row);
-  else
+  } else {
     time = static_cast<double>(i) / rate_;
+  }
   if (!std::isfinite(time)) fail("time", "the row has no time; leave it out, or " + own_times());
   time += shift_;
   if (i == 0) return time;

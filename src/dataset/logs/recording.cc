@@ -180,10 +180,13 @@ class LogReader : public UseOfRows {
            columns.advice(columns.missing_loads(metadata_.load.has_value()), table.headings));
     if (has(T) && !has(P) && !metadata_.load)
       fail("column 'P' is missing, and no load is stated" + columns.advice({P}, table.headings));
-    if (!has(A) && !lengths() && std::any_of(table.headings.begin(), table.headings.end(), [](const Heading& one) {
-          return one.unit && unit_fits(one.unit, A);
-        }))
-      recording_.advice = columns.advice({A}, table.headings);
+    const auto may_hold = [&](ColumnId id) {
+      return std::any_of(table.headings.begin(), table.headings.end(),
+                         [&](const Heading& one) { return one.unit && unit_fits(one.unit, id); });
+    };
+    if (!has(A) && !lengths() && may_hold(A)) recording_.advice = columns.advice({A}, table.headings);
+    if (!has(T) && may_hold(T))
+      recording_.advice = columns.advice(columns.missing_loads(metadata_.load.has_value()), table.headings);
   }
 
   /// Entries of a mapping for all columns without a unit.

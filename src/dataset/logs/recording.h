@@ -24,7 +24,7 @@ struct Recording {
   double force_factor = 1, area_factor = 1;    // one unit in SI
   std::string reading;                         // the format of the file: "tabs, decimal commas"
   std::vector<Heading> headings;               // of the table
-  Message advice;                              // which column may hold the areas, if none is known to
+  Message advice;                              // which column may hold the forces or areas, if none is known to
   std::vector<std::string> taken;              // "P from 'Normalkraft (mN)'"
   std::map<std::string, std::string> mapping;  // as Dataset::mapping
 

@@ -48,7 +48,9 @@ bool is_complete(const Recording& one) { return one.holds_forces() && one.holds_
 /// The logs of a pair of files. The first with forces provides them.
 void add_pair(Recordings& one, Recordings& other, std::vector<Recordings>& logs) {
   Recordings &forces = one[0].holds_forces() ? one : other, &areas = one[0].holds_forces() ? other : one;
-  if (!forces[0].holds_forces()) throw InputError(other[0].path, "holds no forces, and neither does " + one[0].path);
+  if (!forces[0].holds_forces())
+    throw InputError(other[0].path, "holds no forces, and neither does " + one[0].path +
+                                        (one[0].advice.empty() ? other[0].advice : one[0].advice));
   if (!areas[0].holds_areas()) throw InputError(areas[0].path, "holds no areas" + areas[0].advice);
   if (forces.size() != areas.size())
     throw InputError(forces[0].path, "has " + std::to_string(forces.size()) + " logs, as its clock starts anew, and " +

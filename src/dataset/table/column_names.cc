@@ -129,7 +129,8 @@ class Names {
         columns_.push_back({ColumnId::time, i, headings_[i]});
   }
 
-  /// "Zeit  1 - Standardmessrate (s)": the only column of times, whose name has other words, too.
+  /// "Zeit  1 - Standardmessrate (s)", "Messzeit [hh:mm:ss]": the only column of times, whose name has other words,
+  /// too.
   void add_time_with_other_words() {
     if (!rules_.log || find(ColumnId::time) || is_mapped(ColumnId::time)) return;
     std::vector<std::size_t> found;
@@ -232,7 +233,9 @@ class Names {
     constexpr std::string_view kBetween = " _-.:/,";
     for (std::size_t at = 0; at < name.size();) {
       const std::size_t end = std::min(name.find_first_of(kBetween, at), name.size());
-      if (end > at + 1 && vocabulary.find(name.substr(at, end - at)) == ColumnId::time) return true;
+      const std::string word = folded(name.substr(at, end - at));
+      if (end > at + 1 && (vocabulary.find(word) == ColumnId::time || word.ends_with("zeit") || word.ends_with("time")))
+        return true;
       at = end + 1;
     }
     return false;

@@ -64,13 +64,15 @@ void require_width(const std::string& path, const CsvRow& row, std::size_t count
   if (row.size() < count && (row.size() < needed || row.delimiter() == kBlanks))
     throw InputError(path, row.place(row.size()),
                      "the row has " + std::to_string(row.size()) + " fields, the header " + std::to_string(count));
-  for (std::size_t i = count; i < row.size(); ++i)
+  // beside a table of a sheet another may stand
+  for (std::size_t i = count; i < row.size() && !row.is_of_cells(); ++i)
     if (!row[i].empty() && !is_remark(row[i]))
       throw InputError(path, row.place(i),
                        "the row has more fields than the header's " + std::to_string(count) +
-                           (row.delimiter() == ',' && row.raw().find('.') == std::string_view::npos
+                           (row.delimiter() != ',' ? ""
+                            : row.raw().find('.') == std::string_view::npos
                                 ? " (separating commas cannot be distinguished from decimal commas)"
-                                : ""));
+                                : " (a text with a comma needs quotes around it)"));
 }
 
 bool holds_a_number(const CsvRow& row) {
@@ -255,9 +257,11 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
     const bool bare = column->unit.dimension == dimension::none;
     if (bare == (reference->unit.dimension == dimension::none)) return;
     const std::string other(to_string(reference->id));
-    std::string unit = "UNIT";  // of a column of this kind
+    const Dimension& wanted = kind_of(id).dimension;
+    std::string unit =  // of a column of this kind
+        rules.pixel && (wanted == dimension::area || wanted == dimension::length) ? "px" : "UNIT";
     for (const std::optional<Column>& like : by_id)
-      if (like && like->unit.dimension == kind_of(id).dimension) unit = like->unit.text;
+      if (like && like->unit.dimension == wanted) unit = like->unit.text;
     throw InputError(
         path, headings[column->index].place,
         "column '" + std::string(to_string(id)) + "' " +

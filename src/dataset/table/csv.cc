@@ -69,16 +69,29 @@ bool has_a_row(std::string_view text, const CsvFormat& format) {
 
 }  // namespace
 
+CsvRow CsvRow::part(std::size_t first, std::size_t count) const {
+  CsvRow part;
+  const std::size_t begin = std::min(first, size()), end = std::min(first + count, size());
+  part.fields_.assign(fields_.begin() + static_cast<std::ptrdiff_t>(begin),
+                      fields_.begin() + static_cast<std::ptrdiff_t>(end));
+  part.raw_ = raw_;
+  part.line_ = line_;
+  part.first_ = first_ + first;
+  part.format_ = format_;
+  return part;
+}
+
 std::vector<FilePlace> CsvRow::places() const {
   std::vector<FilePlace> found;
-  found.reserve(size() + 1);
+  const std::size_t last = first_ + size();
+  found.reserve(last + 1);
   if (!numbers_.empty() || format_.cells) {
-    for (std::size_t i = 0; i <= size(); ++i) found.push_back({line_, i + 1});
+    for (std::size_t i = first_; i <= last; ++i) found.push_back({line_, i + 1});
     return found;
   }
   FilePlace place{line_, 1};
   std::size_t field = 0;
-  bool quoted = false;
+  bool begun = false, has_quotes = false, quoted = false;  // of the field: only quotes at its beginning count
   const auto begins = [&](std::size_t next, const char* at) {
     if (format_.delimiter != kBlanks) return field == next;
     const char* const begin = fields_[next].data();
@@ -86,15 +99,24 @@ std::vector<FilePlace> CsvRow::places() const {
     return begin == at || elsewhere;
   };
   for (const char& c : raw_) {
-    if (found.size() < size() && begins(found.size(), &c)) found.push_back(place);
-    if (c == '"') quoted = !quoted;
-    if (c == format_.delimiter && !quoted) ++field;
+    if (found.size() < last && begins(found.size(), &c)) found.push_back(place);
+    if (c == '"') {
+      has_quotes |= !begun;
+      quoted ^= has_quotes;
+    }
+    begun |= c != ' ' && c != '\t';
+    if (c == format_.delimiter && !quoted) {
+      ++field;
+      begun = has_quotes = false;
+    }
     if (c == format_.line_end)
       place = {place.line + 1, 1};
     else if ((c & 0xC0) != 0x80)
       ++place.column;  // count characters, not the later bytes of UTF-8
   }
-  found.resize(size() + 1, place);
+  if (found.size() < last) found.resize(last, place);
+  found.push_back(place);
+  found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(first_));
   return found;
 }
 
@@ -111,7 +133,7 @@ bool CsvRow::number(std::size_t i, double& value) const {
 
 CsvSplitter::CsvSplitter(const std::string& path, const CsvFormat& format, std::size_t line)
     : path_(path), format_(format), line_(line) {
-  for (const char c : {format.delimiter, format.line_end, '\r', '"'}) ends_field_[byte(c)] = true;
+  for (const char c : {format.delimiter, format.line_end, '\r'}) ends_field_[byte(c)] = true;
 }
 
 bool CsvSplitter::next(std::string_view& text, bool is_rest, CsvRow& row) {
@@ -166,6 +188,7 @@ std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) 
     if (at == end || *at != format_.delimiter) break;
   }
   if (at != end && *at != format_.line_end) {
+    if (*at != '\r' && format_.loose_quotes) return take_as_line(text, is_rest, row);
     if (*at != '\r') fail(before(), "a quote (\") inside a field is not doubled or not closed");
     const char* const first = at;
     skip_returns();
@@ -187,6 +210,14 @@ std::size_t CsvSplitter::take_line(std::string_view text, bool is_rest, CsvRow& 
   split_line(row.raw_, format_.delimiter, row.fields_);
   ++line_;
   return size;
+}
+
+/// The same for a row that was read in part.
+std::size_t CsvSplitter::take_as_line(std::string_view text, bool is_rest, CsvRow& row) {
+  row.fields_.clear();
+  row.unquoted_.clear();
+  ++loose_rows_;
+  return take_line(text, is_rest, row);
 }
 
 /// Reads a field in quotes. Returns the first non-blank character after it; null if the quotes are not closed.
@@ -213,13 +244,16 @@ const char* CsvSplitter::quoted_field(const char* at, const char* end, CsvRow& r
 std::vector<CsvRow> split_rows(std::string_view text, std::size_t first_line, const CsvFormat& format) {
   std::vector<CsvRow> rows(1);
   const bool is_rest = !text.ends_with(format.line_end);
-  CsvSplitter splitter({}, format, first_line);
+  CsvFormat loose = format;
+  loose.loose_quotes = true;
+  CsvSplitter splitter({}, loose, first_line);
   try {
     while (splitter.next(text, is_rest, rows.back())) rows.emplace_back();
   } catch (const InputError&) {
     if (is_rest || has_a_row(text, format)) return {};
   }
   rows.pop_back();
+  if (2 * splitter.loose_rows() > rows.size()) return {};
   return rows;
 }
 

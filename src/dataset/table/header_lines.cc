@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "dataset/table/column_advice.h"
 #include "dataset/table/number.h"
+#include "dataset/table/runs_beside.h"
 
 namespace mixity {
 namespace {
@@ -77,6 +78,11 @@ std::vector<std::vector<Heading>> split_headings(const CsvRow& line) {
 std::size_t count_named(const std::string& path, std::vector<Heading>& headings, std::size_t width,
                         const ColumnRules& rules, bool blanks) {
   try {
+    if (const std::size_t run = rules.log ? 0 : width_of_runs(headings); run > 0 && headings.size() <= width)
+      return name_columns(path,
+                          std::vector<Heading>(headings.begin(), headings.begin() + static_cast<std::ptrdiff_t>(run)),
+                          rules)
+          .size();
     if (headings.size() > width) {
       if (blanks) return 0;
       const std::size_t all = name_columns(path, headings, rules).size();
@@ -102,13 +108,12 @@ bool begin_with_names(const std::vector<CsvRow>& lines, std::size_t first, std::
   return rows >= kLeast;
 }
 
-/// The first few indices at which rows of the usual width begin: lines such as "Samples 39 39 39" may precede the
-/// table.
-std::vector<std::size_t> first_rows(const std::vector<CsvRow>& lines, const NumberRows& rows) {
+/// The first few indices at which rows of this width begin: lines such as "Samples 39 39 39" may precede the table.
+std::vector<std::size_t> first_rows(const std::vector<CsvRow>& lines, const NumberRows& rows, std::size_t width) {
   std::vector<std::size_t> begins;
   bool before = false;
   for (std::size_t i = 0; i < lines.size() && begins.size() < kBegins; ++i) {
-    const bool is_row = lines[i].size() == rows.width && rows.are[i];
+    const bool is_row = lines[i].size() == width && rows.are[i];
     if (is_row && !before) begins.push_back(i);
     before = is_row;
   }
@@ -162,7 +167,44 @@ bool is_label_of_units(std::string_view text) {
   return false;
 }
 
+/// The same for rows of one width.
+std::optional<HeadingLine> headings_of_width(const std::string& path, const std::vector<CsvRow>& lines,
+                                             const NumberRows& rows, std::size_t width, const ColumnRules& rules) {
+  const std::vector<std::size_t> begins = first_rows(lines, rows, width);
+  const ColumnRules by_name = without_numbers(rules);
+  HeadingLine found{{}, begins.front(), {}};
+  std::size_t most = 0;
+  for (const std::size_t first : begins) {
+    const bool names = begin_with_names(lines, first, width);
+    for (std::size_t i = first; i-- > first - std::min(first, kAbove);) {
+      if (holds_only_units(lines[i])) continue;
+      for (std::vector<Heading>& headings : split_headings(lines[i])) {
+        if (headings.size() <= most) continue;  // which cannot name more
+        if (names && headings.size() + 1 == width)
+          headings.insert(headings.begin(), {"", "", {}, true, headings.front().place});
+        const std::size_t named = count_named(path, headings, width, by_name, lines[i].delimiter() == kBlanks);
+        if (named <= most) continue;
+        most = named;
+        found = {std::move(headings), first, i, named};
+      }
+    }
+  }
+  const std::size_t top = found.first_row - std::min(found.first_row, kAbove);
+  for (std::size_t i = found.first_row; i-- > top && !found.index;)
+    if (!is_row_of_units(lines[i], {}))
+      for (std::vector<Heading>& headings : split_headings(lines[i]))
+        if (!found.index && headings.size() >= 2 && headings.size() <= width)
+          found = {std::move(headings), found.first_row, i};
+  if (found.index) return found;
+  if (rules.mapping.empty()) return std::nullopt;
+  const CsvRow& first = lines[found.first_row];
+  for (std::size_t i = 0; i < first.size(); ++i) found.headings.push_back({"", "", {}, true, first.place(i)});
+  return count_named(path, found.headings, width, rules, false) > 0 ? std::optional(found) : std::nullopt;
+}
+
 }  // namespace
+
+bool counts_columns(const ColumnRules& rules) { return without_numbers(rules).mapping.size() < rules.mapping.size(); }
 
 std::size_t count_filled(const CsvRow& row) {
   std::size_t filled = 0;
@@ -200,44 +242,22 @@ NumberRows::NumberRows(const std::vector<CsvRow>& lines) {
   }
   if (2 * count < count_with_words)
     for (const auto& [fields, n] : with_words) rows[fields] += n;
-  std::pair<std::size_t, std::size_t> most;  // rows, width: the wider of equally many, as heads have fewer fields
-  for (const auto& [fields, n] : rows) most = std::max(most, {n, fields});
-  width = most.second;
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // rows, width: the wider first, as heads have fewer fields
+  for (const auto& [fields, n] : rows) order.emplace_back(n, fields);
+  std::sort(order.rbegin(), order.rend());
+  for (const auto& [n, fields] : order) widths.push_back(fields);
 }
 
 std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines,
                                          const NumberRows& rows, const ColumnRules& rules) {
-  const std::size_t width = rows.width;
-  const std::vector<std::size_t> begins = first_rows(lines, rows);
-  const ColumnRules by_name = without_numbers(rules);
-  HeadingLine found{{}, begins.front(), {}};
-  std::size_t most = 0;
-  for (const std::size_t first : begins) {
-    const bool names = begin_with_names(lines, first, width);
-    for (std::size_t i = first; i-- > first - std::min(first, kAbove);) {
-      if (holds_only_units(lines[i])) continue;
-      for (std::vector<Heading>& headings : split_headings(lines[i])) {
-        if (headings.size() <= most) continue;  // which cannot name more
-        if (names && headings.size() + 1 == width)
-          headings.insert(headings.begin(), {"", "", {}, true, headings.front().place});
-        const std::size_t named = count_named(path, headings, width, by_name, lines[i].delimiter() == kBlanks);
-        if (named <= most) continue;
-        most = named;
-        found = {std::move(headings), first, i};
-      }
-    }
+  constexpr std::size_t kTried = 3, kSure = 2;  // widths, quantities
+  std::optional<HeadingLine> usual;
+  for (std::size_t k = 0; k < std::min(rows.widths.size(), kTried); ++k) {
+    auto found = headings_of_width(path, lines, rows, rows.widths[k], rules);
+    if (found && found->named >= (k == 0 ? 1 : kSure)) return found;
+    if (k == 0) usual = std::move(found);
   }
-  const std::size_t top = found.first_row - std::min(found.first_row, kAbove);
-  for (std::size_t i = found.first_row; i-- > top && !found.index;)
-    if (!is_row_of_units(lines[i], {}))
-      for (std::vector<Heading>& headings : split_headings(lines[i]))
-        if (!found.index && headings.size() >= 2 && headings.size() <= width)
-          found = {std::move(headings), found.first_row, i};
-  if (found.index) return found;
-  if (rules.mapping.empty()) return std::nullopt;
-  const CsvRow& first = lines[found.first_row];
-  for (std::size_t i = 0; i < first.size(); ++i) found.headings.push_back({"", "", {}, true, first.place(i)});
-  return count_named(path, found.headings, width, rules, false) > 0 ? std::optional(found) : std::nullopt;
+  return usual;
 }
 
 bool is_row_of_units(const CsvRow& row, const std::vector<std::size_t>& columns) {

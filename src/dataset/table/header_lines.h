@@ -15,6 +15,7 @@ struct HeadingLine {
   std::vector<Heading> headings;
   std::size_t first_row;             // index of the first row of numbers
   std::optional<std::size_t> index;  // the line of headings; null: there is none, and a mapping names the columns
+  std::size_t named = 0;             // quantities that the headings name
 };
 
 std::size_t count_filled(const CsvRow& row);  // its fields that are not empty
@@ -27,18 +28,21 @@ bool is_row_of_numbers(const CsvRow& row);
 /// Whether its first field that is filled holds words.
 bool begins_with_words(const CsvRow& row);
 
+/// Whether a mapping names columns by their numbers.
+bool counts_columns(const ColumnRules& rules);
+
 struct NumberRows {
   std::vector<bool> are;  // whether each line is a row of numbers
-  /// The number of fields that most of them have; 0 if there are none. Rows that begin with words, as lines of a head
-  /// do
+  /// The numbers of fields that they have, that of most rows first. Rows that begin with words, as lines of a head do
   /// ("Samples 39 39"), count only if they are most.
-  std::size_t width = 0;
+  std::vector<std::size_t> widths;
   explicit NumberRows(const std::vector<CsvRow>& lines);
 };
 
 /// The line that names most quantities, among the few lines above each of the first places where rows of the usual
-/// width begin. Mappings by number do not count, and a line of units is not one of headings. If no line names a
-/// quantity, a line of words is taken. Null if there is none either, and no mapping.
+/// width begin, or of another, as a comma in the name of a run makes its rows wider. Mappings by number do not count,
+/// and a line of units is not one of headings. If no line names a quantity, a line of words is taken. Null if there is
+/// none either, and no mapping.
 std::optional<HeadingLine> find_headings(const std::string& path, const std::vector<CsvRow>& lines,
                                          const NumberRows& rows, const ColumnRules& rules);
 

@@ -3,6 +3,7 @@
 #include <utf8proc.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <iterator>
 #include <memory>
@@ -25,10 +26,37 @@ std::string_view trim_name(std::string_view text) {
   return text;
 }
 
+namespace {
+
+/// "$F_\mathrm{N}$ ($\mu$m$^{2}$)" without the signs and commands of TeX: "F_N (µm^2)".
+std::string without_tex(std::string_view text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '\\' && at + 1 < text.size()) {
+      std::size_t end = at + 1;
+      while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end]))) ++end;
+      const std::string_view command = text.substr(at + 1, end - at - 1);
+      const bool micro = command == "mu" || command == "upmu" || command == "textmu";
+      const bool style = command.starts_with("math") || command.starts_with("text") || command == "rm" ||
+                         command == "left" || command == "right";
+      const bool space = command.empty() && std::string_view(",;:!").find(text[at + 1]) != std::string_view::npos;
+      if (micro) plain += "µ";
+      if (micro || style || space) {
+        at = space ? at + 1 : end - 1;
+        if (!space && end < text.size() && text[end] == ' ') ++at;  // which ends the command
+        continue;
+      }
+    }
+    if (text[at] != '$' && text[at] != '{' && text[at] != '}') plain += text[at];
+  }
+  return plain;
+}
+
+}  // namespace
+
 Heading split_heading(std::string_view whole, FilePlace place) {
-  std::string plain(trim_name(whole));
-  Heading heading{plain, {}, {}, true, place};
-  std::erase_if(plain, [](char sign) { return sign == '$' || sign == '{' || sign == '}'; });  // "$F_N$ (mm$^{2}$)"
+  const std::string written(trim_name(whole)), plain = without_tex(written);
+  Heading heading{written, {}, {}, true, place};
   const std::string_view text = trim_name(plain);
   heading.name = text;
   const std::size_t open = text.find_first_of("[(");

@@ -156,14 +156,15 @@ bool parse_number(std::string_view text, char decimal, double& value, NumberStyl
     plain = sign;
     rest = unsigned_text;
     found = {};
-    if (decimal == '.' && sign.size() + rest.size() == text.size() && rest.find_first_of("Dd") == std::string::npos)
+    if (decimal == '.' && sign.size() + rest.size() == text.size() && rest.find_first_of("Dd*") == std::string::npos)
       return false;  // nothing differs from what was tried
   }
   if (decimal != '.' && rest.find('.') != std::string_view::npos) return false;
   const std::size_t before = plain.size();
   plain += rest;
   if (const std::size_t at = plain.find(decimal, before); at != std::string::npos) plain[at] = '.';
-  // Fortran writes exponents with D.
+  // Mathematica writes exponents with *^, Fortran with D.
+  if (const std::size_t at = plain.find("*^"); at != std::string::npos) plain.replace(at, 2, "e");
   if (const std::size_t at = plain.find_first_of("Dd"); at != std::string::npos) plain[at] = 'e';
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) return false;
   if (!parse_number(std::string_view(plain), value)) return false;

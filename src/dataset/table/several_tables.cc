@@ -121,8 +121,11 @@ class TableParts {
     for (const HeadLine& line : above_)
       if (is_like_a_row(line)) rows_above.push_back(line.row.line());
     for (const HeadLine& line : above_) {
-      if (has_headings && line.row.line() >= headings.row.line()) break;
-      if (!is_row_of_units(line.row, {})) title = title_of(line.row);
+      const bool below = has_headings && line.row.line() >= headings.row.line();
+      // "Run 1" alone in a line may also stand below the headings
+      if (below && (line.row.line() == headings.row.line() || count_filled(line.row) != 1)) continue;
+      if (is_row_of_units(line.row, {}) || (below && !has_a_digit(title_of(line.row)))) continue;
+      title = title_of(line.row);
     }
     parts_.push_back({above_.front().offset, above_.front().row.line(), headings.row.line(), 0, 0, 0, title,
                       has_headings, std::move(rows_above), rows_ && rows_->fields == first_row.size()});

@@ -38,17 +38,49 @@ std::size_t take_row_of_units(const std::string& path, const Lines& lines, const
   return 0;
 }
 
-/// Finds where the rows below the headings begin. Skips lines of words, as Origin writes them.
+/// Whether a line is a setting of the channels that stands between headings and rows, "Length 39 39 39": its label is
+/// none of a row.
+bool is_setting(const CsvRow& line) {
+  std::size_t i = 0;
+  while (i < line.size() && line[i].empty()) ++i;
+  const std::string label = i < line.size() ? folded(line[i]) : std::string();
+  for (const std::string_view name :
+       {"length",    "samples", "samplecount",     "numberofsamples", "datatype", "range",       "offset",
+        "gain",      "factor",  "scale",           "coefficient",     "coeff",    "calibration", "sensitivity",
+        "increment", "channel", "channelno",       "anzahl",          "bereich",  "messbereich", "faktor",
+        "lange",     "laenge",  "kalibrierfaktor", "レンジ",          "校正係数", "オフセット",  "感度"})
+    if (label == name) return true;
+  return false;
+}
+
+/// Finds where the rows below the headings begin. Skips lines of words, as Origin writes them, and of settings.
 void set_first_row(std::string_view text, const Lines& lines, const HeadingLine& at, Table& table) {
   std::size_t begin = at.index ? *at.index + 1 : at.first_row;
   for (; begin < at.first_row; ++begin) {
     const CsvRow& line = lines[begin];
     if (line.is_comment() || line.line() == table.units_line) continue;
-    if (has_a_number(line)) break;
+    if (has_a_number(line) && !is_setting(line)) break;
     table.passed_over.push_back(line.line());
   }
+  for (; begin >= at.first_row && begin + 1 < lines.size() && is_setting(lines[begin]); ++begin)
+    table.passed_over.push_back(lines[begin].line());
   table.offset = static_cast<std::size_t>(lines[begin].raw().data() - text.data());
   table.line = lines[begin].line();
+}
+
+/// Where the headings are those of runs side by side, leaves those of the first. Not where blanks part the columns,
+/// which may be empty, where a mapping counts them, or where the units differ.
+void find_runs_beside(const Lines& lines, const HeadingLine& at, const ColumnRules& rules, Table& table) {
+  const std::size_t width =
+      !at.index || rules.log || table.format.delimiter == kBlanks ? 0 : width_of_runs(at.headings);
+  if (width == 0 || counts_columns(rules)) return;
+  constexpr std::size_t kAbove = 12;  // lines that may hold units
+  for (std::size_t i = *at.index - std::min(*at.index, kAbove); i < at.first_row; ++i)
+    for (std::size_t k = width; k < lines[i].size(); ++k)
+      if (is_row_of_units(lines[i], {}) && lines[i][k] != lines[i][k - width]) return;
+  const std::size_t count = (at.headings.size() + width - 1) / width;
+  table.beside = {width, names_of_runs(lines, *at.index, width, count)};
+  table.headings.resize(width);
 }
 
 /// Whether a word is the label of a row that summarises those above it.
@@ -112,7 +144,7 @@ std::optional<Candidate> guess(const std::string& path, std::string_view text, s
                                const CsvFormat& format, const ColumnRules& rules, char decimal) {
   const Lines lines = split_rows(text, first_line, format);
   const NumberRows rows(lines);
-  if (rows.width == 0) return std::nullopt;
+  if (rows.widths.empty()) return std::nullopt;
   const auto at = find_headings(path, lines, rows, rules);
   if (!at) return std::nullopt;
   Candidate made;
@@ -120,6 +152,7 @@ std::optional<Candidate> guess(const std::string& path, std::string_view text, s
   table.format = format;
   table.headings = at->headings;
   table.header_line = at->index ? lines[*at->index].line() : 0;
+  find_runs_beside(lines, *at, rules, table);
   made.columns = indices_of_numbers(path, table.headings, rules);
   table.units_line = take_row_of_units(path, lines, *at, made.columns, rules, table.headings);
   made.columns = indices_of_numbers(path, table.headings, rules);
@@ -193,6 +226,7 @@ std::optional<Table> find_table(const std::string& path, std::string_view start,
 
 std::string describe(const Table& table) {
   std::string text = name_of(table.format.delimiter);
+  if (table.beside.width > 0) text += ", " + std::to_string(table.beside.names.size()) + " runs side by side";
   if (table.format.decimal == ',') text += ", decimal commas";
   if (table.format.grouped) text += ", digits in groups of three";
   if (table.units_line > 0) text += ", units in line " + std::to_string(table.units_line);

@@ -8,6 +8,7 @@
 
 #include "dataset/table/columns.h"
 #include "dataset/table/csv.h"
+#include "dataset/table/runs_beside.h"
 
 namespace mixity {
 
@@ -18,6 +19,7 @@ struct Table {
   std::size_t header_line = 0, units_line = 0;  // 0: none
   std::vector<std::size_t> passed_over{};       // lines of words between the headings and the numbers
   std::size_t summary_line = 0;                 // the first row that summarises those above; 0: none
+  RunsBeside beside{};                          // the headings are those of its first run
 };
 
 /// The table in the first lines of a file, or in all of it. The separator and the decimal sign are those with which the

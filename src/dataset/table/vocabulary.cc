@@ -115,6 +115,27 @@ std::optional<ColumnId> Vocabulary::find(std::string_view name) const {
   return quantity ? quantity : find_error(name);
 }
 
+/// "Fn_Kraft", "Fx force", "sensor Fz": the symbol of a force beside a word for one. A symbol that is a unit, too, is
+/// none: "Force N".
+std::optional<ColumnId> Vocabulary::find_symbol_of_force(std::string_view name) const {
+  constexpr std::string_view kBetween = " _-.:",
+                             kWords[] = {"force", "load",   "kraft", "forza",  "carico",   "fuerza",
+                                         "carga", "effort", "cell",  "sensor", "loadcell", "signal"};
+  const auto is_word = [&](std::string_view text) {
+    return std::find(std::begin(kWords), std::end(kWords), folded(text)) != std::end(kWords);
+  };
+  const std::size_t first = name.find_first_of(kBetween), last = name.find_last_of(kBetween);
+  if (first == std::string_view::npos) return std::nullopt;
+  std::string_view symbol;
+  if (is_word(name.substr(last + 1)))
+    symbol = name.substr(0, last);
+  else if (is_word(name.substr(0, first)))
+    symbol = name.substr(first + 1);
+  const auto found = symbols_.find(symbol);
+  const bool is_force = found != symbols_.end() && (found->second == ColumnId::P || found->second == ColumnId::T);
+  return is_force && !parse_unit(symbol) ? found->second : std::nullopt;
+}
+
 /// Like find; also understands a name followed by a symbol of the quantity: "Normal force F_N", "friction force, T".
 std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) const {
   const auto own_or_found = [&](std::string_view text) { return column_named(text) ? column_named(text) : find(text); };
@@ -122,11 +143,17 @@ std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) cons
   // "DAQ.Fx": of a device, not "max.Fx"
   constexpr std::string_view kNoDevices[] = {"max", "min", "mean",   "avg",   "std",
                                              "abs", "set", "target", "delta", "cmd"};
-  const std::size_t dot = name.rfind('.');
-  if (dot != std::string_view::npos && dot > 1 && name.find(' ') == std::string_view::npos &&
-      std::find(std::begin(kNoDevices), std::end(kNoDevices), folded(name.substr(0, dot))) == std::end(kNoDevices))
+  const auto is_device = [&](std::string_view text) {
+    return text.size() > 1 &&
+           std::find(std::begin(kNoDevices), std::end(kNoDevices), folded(text)) == std::end(kNoDevices);
+  };
+  const std::size_t dot = name.rfind('.'), colon = name.find(": ");
+  if (dot != std::string_view::npos && name.find(' ') == std::string_view::npos && is_device(name.substr(0, dot)))
     if (const auto of_device = own_or_found(name.substr(dot + 1))) return of_device;
+  if (colon != std::string_view::npos && is_device(name.substr(0, colon)))  // "Latest: Normal force"
+    if (const auto of_device = own_or_found(trim_name(name.substr(colon + 2)))) return of_device;
   if (const auto of_channel = find(without_channel(name))) return of_channel;
+  if (const auto force = find_symbol_of_force(name)) return force;
   const std::size_t behind = name.find_last_of(" ,");
   if (behind == std::string_view::npos) return std::nullopt;
   const auto first = find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));

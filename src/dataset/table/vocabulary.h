@@ -42,6 +42,7 @@ class Vocabulary {
   void add(const std::string& path, const TomlTable& table);
   std::optional<ColumnId> find_quantity(std::string_view name) const;
   std::optional<ColumnId> find_error(std::string_view name) const;
+  std::optional<ColumnId> find_symbol_of_force(std::string_view name) const;
   std::optional<ColumnId> find_with_symbol(std::string_view name) const;
 
   /// A quantity; null: a word that turns another name into that of its standard error.

@@ -18,6 +18,7 @@ struct Conditions {
   double regrows = 0;     // of the area that the shear took, in a fall
   double late = 0;        // s: T is recorded so much later than P
   double sign = 1;        // of compression
+  double ramp = 1;        // power of the time with which the load rises
   double out = 0.7;       // s out of contact before and behind; 0: the log begins and ends in contact
   double noise_A = 5e-3;  // of the area
   unsigned seed = 1;
@@ -48,8 +49,10 @@ Made simulate(const Conditions& c) {
   const auto zero = [](double) { return 0.0; };
   const auto one = [](double) { return 1.0; };
   const auto rise = [](double s) { return s; };
+  const auto load = [&](double s) { return std::pow(s, c.ramp); };
   add(c.out, zero, zero, zero);
-  if (c.out > 0) add(0.8 + 0.4 * uniform(random), rise, zero, [](double s) { return 0.45 + 0.55 * std::sqrt(s); });
+  if (c.out > 0)
+    add(0.8 + 0.4 * uniform(random), load, zero, [&](double s) { return 0.45 + 0.55 * std::sqrt(load(s)); });
   add(1 + uniform(random), one, zero, one);
   add(3, one, rise, [](double s) { return 1 - 0.3 * s * s; });
   for (int slip = 0; slip < 4; ++slip) {
@@ -120,6 +123,11 @@ TEST(Lag, HasTrueErrorsWhereTheAreaRegrowsWhileTFalls) {
   expect_true_errors(conditions);
   conditions.fall = 0.004;
   expect_true_errors(conditions);
+}
+
+TEST(Lag, HasTrueErrorsWhereTheLoadRisesInACurve) {
+  Conditions conditions;
+  for (conditions.ramp = 1.2; conditions.ramp < 1.5; conditions.ramp += 0.2) expect_true_errors(conditions);
 }
 
 /// A record may end while the contact is opened: then the loss of the contact is no event.

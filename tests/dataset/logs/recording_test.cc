@@ -40,6 +40,29 @@ TEST(Recordings, MayHaveTimesOfAClock) {
             1.5e-3);
 }
 
+TEST(Recordings, MayHaveTimesWithAUnitInEachField) {
+  EXPECT_EQ(read("Time,P [mN],T [mN],A [mm^2]\n0 sec,1,2,0.3\n0.5 sec,1,2,0.3\n1.25 sec,1,2,0.3\n").time,
+            (std::vector<double>{0, 0.5, 1.25}));
+}
+
+TEST(Recordings, OfAClockInItsHeadingHaveTimesOfAClock) {
+  const std::string header = "Messzeit [hh:mm:ss];P [mN];T [mN];A [mm²]\n", rest = ";1;2;0,3\n";
+  EXPECT_EQ(read(header + "00:00:59,50" + rest + "00:01:00,00" + rest + "00:01:00,50" + rest).time,
+            (std::vector<double>{0, 0.5, 1}));
+  EXPECT_NE(error_of(header + "0,00001" + rest + "0,00002" + rest + "0,00003" + rest)
+                .find("'0,00001' is a number, not a time hh:mm:ss"),
+            std::string::npos);
+}
+
+/// As programs write TDMS files as text.
+TEST(Recordings, HaveSettingsOfTheirChannelsBelowTheHeadings) {
+  const Recording log = read(
+      "Channel\tTime\tNormal force\tShear force\tContact area\nUnit\ts\tmN\tmN\tmm²\nDatatype\tDT_DOUBLE\tDT_DOUBLE\t"
+      "DT_DOUBLE\tDT_DOUBLE\nLength\t3\t3\t3\t3\n\t0\t1\t2\t0.3\n\t0.5\t1\t3\t0.3\n\t1\t1\t4\t0.2\n");
+  EXPECT_EQ(log.time, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_NE(log.reading.find("line 4 passed over"), std::string::npos) << log.reading;
+}
+
 TEST(Recordings, WithOtherTimesAreRefusedByTheNameOfTheirColumn) {
   const std::string header = "time,P [mN],T [mN],A [mm^2]\n", rest = ",1,2,0.3\n";
   EXPECT_EQ(error_of(header + "10:05" + rest + "10:06" + rest + "10:07" + rest),
@@ -75,6 +98,13 @@ TEST(Recordings, WithoutAQuantityNameTheColumnThatMayHoldIt) {
   EXPECT_EQ(error_of("time [s],Kraft 1 [mN],T [mN],A [mm^2]" + rows),
             "log.csv:1:1: column 'P' is missing, and no load is stated; not understood: 'Kraft 1 [mN]'. To say which "
             "column is P: --columns=\"P=Kraft 1 [mN]\"");
+}
+
+TEST(Recordings, WithoutForcesNameTheColumnsThatMayHoldThem) {
+  EXPECT_NE(read("time [s],Kraft 1 [mN],Kraft 2 [mN],A [mm^2]\n0,1,2,0.3\n1,1,2,0.3\n2,1,2,0.3\n")
+                .advice.text()
+                .find("P=HEADING (UNIT),T=HEADING (UNIT)"),
+            std::string::npos);
 }
 
 TEST(Recordings, WithoutUnitsAreRefusedWithOneMappingForAllOfThem) {

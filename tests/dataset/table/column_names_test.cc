@@ -77,19 +77,20 @@ TEST(ColumnNames, WithAUnitThatIsNotKnownAreRefusedAndNotTakenForAnother) {
 }
 
 TEST(ColumnNames, WhichOfTwoForcesIsWhichIsNotGuessedByAHint) {
+  EXPECT_EQ(read("Kraft eins [mN],Kraft zwei [mN],A [mm^2]"),
+            "1:1: column 'T' is missing; not understood: 'Kraft eins [mN]', 'Kraft zwei [mN]'. To say which columns "
+            "are P and "
+            "T: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT)\"");
   EXPECT_EQ(
-      read("Kraft Fn [mN],Kraft Ft [mN],A [mm^2]"),
-      "1:1: column 'T' is missing; not understood: 'Kraft Fn [mN]', 'Kraft Ft [mN]'. To say which columns are P and "
-      "T: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT)\"");
-  EXPECT_EQ(read("Kraft Fn [mN],Kraft Ft [mN],Patch [mm^2]"),
-            "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
-            "Gc_over_GIc), or G_I and G_II; not understood: 'Kraft Fn [mN]', 'Kraft Ft [mN]', 'Patch [mm^2]'. To say "
-            "which columns are P, T and A: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=Patch [mm^2]\"");
+      read("Kraft eins [mN],Kraft zwei [mN],Patch [mm^2]"),
+      "1:1: the header names no known quantity; wanted P, T and A (or a), or psi (or mode_ratio) and Gc (or "
+      "Gc_over_GIc), or G_I and G_II; not understood: 'Kraft eins [mN]', 'Kraft zwei [mN]', 'Patch [mm^2]'. To say "
+      "which columns are P, T and A: --columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=Patch [mm^2]\"");
   // one alone can be it, and the hint can be followed as it stands
-  EXPECT_EQ(read("P [mN],Kraft Ft [mN],A [mm^2]"),
-            "1:1: column 'T' is missing; not understood: 'Kraft Ft [mN]'. To say which column is T: "
-            "--columns=\"T=Kraft Ft [mN]\"");
-  EXPECT_EQ(read("P [mN],Kraft Ft [mN],A [mm^2]", {{"columns", "T=Kraft Ft [mN]"}}), "T from 'Kraft Ft [mN]'");
+  EXPECT_EQ(read("P [mN],Kraft zwei [mN],A [mm^2]"),
+            "1:1: column 'T' is missing; not understood: 'Kraft zwei [mN]'. To say which column is T: "
+            "--columns=\"T=Kraft zwei [mN]\"");
+  EXPECT_EQ(read("P [mN],Kraft zwei [mN],A [mm^2]", {{"columns", "T=Kraft zwei [mN]"}}), "T from 'Kraft zwei [mN]'");
   // what a mapping would not read back is named by its number
   EXPECT_EQ(read("P [mN],\"Kraft, 2 [mN]\",A [mm^2]"),
             "1:1: column 'T' is missing; not understood: 'Kraft, 2 [mN]'. To say which column is T: "
@@ -110,6 +111,29 @@ TEST(ColumnNames, MayNameTheChannelOfARecorder) {
   EXPECT_NE(read("CH1 (mN),CH2 (mN),CH3 (mm^2)").find("--columns=\"P=HEADING (UNIT),T=HEADING (UNIT),A=CH3 (mm^2)\""),
             std::string::npos);
   EXPECT_NE(read("Max 1 Fn [mN],T [mN],A [mm^2]").find("column 'P' is missing"), std::string::npos);
+}
+
+TEST(ColumnNames, MayHaveTheWordForAForceBesideItsSymbol) {
+  for (const char* header : {"Fn_Kraft [mN],Ft_Kraft [mN],A [mm^2]", "Kraft Fn [mN],Kraft Ft [mN],A [mm^2]",
+                             "Fz force (mN),Fx force (mN),A (mm^2)", "sensor_Fz [mN],sensor_Fx [mN],A [mm^2]"})
+    EXPECT_EQ(quotes_in(read(header)), 4) << header;
+  // "N" is a unit, and two signs are none
+  EXPECT_NE(read("Force N,T [mN],A [mm^2]").find("'P' is missing"), std::string::npos);
+  EXPECT_NE(read("Fz setpoint [mN],T [mN],A [mm^2]").find("'P' is missing"), std::string::npos);
+}
+
+TEST(ColumnNames, AreThoseAboveRowsThatACommaMakesWider) {
+  const std::string header = "curve,P [mN],T [mN],A [mm^2]\n", aged = "aged,4,0,0.3\naged,4,1,0.3\n";
+  std::string wide;
+  for (int i = 0; i < 6; ++i) wide += "fresh, 5 d,4," + std::to_string(i) + ",0.3\n";
+  EXPECT_EQ(
+      load_error(header + aged + wide, "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n"),
+      "a.csv:4:16: the row has more fields than the header's 4 (a text with a comma needs quotes around it)");
+}
+
+TEST(ColumnNames, MayNameADeviceBeforeAColon) {
+  EXPECT_EQ(quotes_in(read("Latest: Normal Force (mN),Latest: Friction Force (mN),Latest: Contact Area (mm²)")), 6);
+  EXPECT_NE(read("Max: Normal Force (mN),T [mN],A [mm^2]").find("'P' is missing"), std::string::npos);
 }
 
 TEST(ColumnNames, OfRHaveDotsForBrackets) {

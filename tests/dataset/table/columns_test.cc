@@ -46,9 +46,10 @@ TEST(Columns, MayHaveNoBreakSpacesAroundTheirNames) {
 }
 
 TEST(Columns, AreNamedByTheWordsOfANameInAnyOrderAndInTeX) {
-  for (const char* header : {"Area reale di contatto (mm^2),Carico normale (mN),Forza di attrito (mN)",
-                             "area of the contact (mm^2),Force normal (mN),Force of friction (mN)",
-                             "$A$ (mm$^{2}$),$F_N$ (mN),$F_{T}$ [mN]"}) {
+  for (const char* header :
+       {"Area reale di contatto (mm^2),Carico normale (mN),Forza di attrito (mN)",
+        "area of the contact (mm^2),Force normal (mN),Force of friction (mN)", "$A$ (mm$^{2}$),$F_N$ (mN),$F_{T}$ [mN]",
+        "$A_\\mathrm{c}$ ($\\mu\\mathrm{m}^2$),$F_{\\rm N}$\\:(mN),$F_\\text{T}$ (\\textmu N)"}) {
     const Columns columns = columns_of(header);
     EXPECT_EQ(columns.find(ColumnId::A)->index, 0) << header;
     EXPECT_EQ(columns.find(ColumnId::P)->index, 1) << header;

@@ -58,9 +58,9 @@ std::optional<Rows> by_character(const std::string& text, char delimiter) {
     } else if (is_blank(c)) {
       if (state == kPlain) field += c;
       blanks_behind = true;
-    } else if (state == kQuote || (c == '"' && state == kPlain)) {
+    } else if (state == kQuote) {
       return {};
-    } else if (c == '"') {
+    } else if (c == '"' && state != kPlain) {
       state = kQuoted;
     } else {
       field += c;

@@ -1,6 +1,8 @@
 // Ordinary exports of one experiment, in the forms that laboratories have them, are the same points.
 #include "dataset/table/exports.h"
 
+#include <regex>
+
 namespace mixity {
 namespace exports_test {
 
@@ -113,6 +115,16 @@ TEST(Exports, WithUnitsWhereverTheyStand) {
   expect_the_experiment("Normal load\tShear load\tContact area\nmN\tmN\tmm\\+(2)\n" + rows);  // Origin
 }
 
+TEST(Exports, WithQuotesInLinesOfWords) {
+  const std::string rows = "P (mN)\tT (mN)\tA (mm^2)\n" + lines({'\t'});
+  for (const char* line : {"Operator: James \"Jim\" Smith\n", "\"Jim\" Smith, 4\" wafer\n", "Wafer\t4\" glass\n"})
+    expect_the_experiment(line + rows);
+  // commands of Igor below the table
+  expect_the_experiment("IGOR\nWAVES/D\tP_mN\tT_mN\tA_mm2\nBEGIN\n\t" +
+                        std::regex_replace(lines({'\t'}), std::regex("\n(?=.)"), "\n\t") +
+                        "END\nX SetScale/P x 0,1,\"\", P_mN; SetScale y 0,0,\"mN\", P_mN\n");
+}
+
 TEST(Exports, WithMoreWordsThanNumbers) {
   std::string text = "Datum;Uhrzeit;Bediener;Probe;Kamera;P [mN];T [mN];A [mm²];Notiz;Ort\n";
   std::istringstream rows(german());
@@ -220,6 +232,12 @@ TEST(Exports, OfImagePrograms) {
   const auto pixels = [](const Row& row) { return std::vector<double>{row[0], row[1], row[2] / (1.7e-3 * 1.7e-3)}; };
   expect_the_experiment("Normal force (mN),Shear force (mN),Contact area (px)\n" + lines({',', Form{}.field, pixels}),
                         {{"pixel", "1.7 um"}});
+  const TemporaryFolder folder;
+  EXPECT_NE(input_error([&] {
+              load_dataset(folder.write("Results.csv", "P_mN,T_mN,Area\n" + lines({',', Form{}.field, pixels})),
+                           {{"pixel", "1.7 um"}});
+            }).find("say its unit: --columns=\"A=Area (px)\""),
+            std::string::npos);
   const auto axes = [](double stretch, double factor) {
     return [=](const Row& row) {
       const double a = factor * std::sqrt(row[2] / std::numbers::pi);

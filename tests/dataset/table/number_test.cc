@@ -65,6 +65,15 @@ TEST(Number, IsTheNearestDoubleInEverySpelling) {
   }
 }
 
+TEST(Number, HasAnExponentAsMathematicaWritesIt) {
+  double value = 0;
+  EXPECT_TRUE(parse_number("7.73*^-3", '.', value));
+  EXPECT_EQ(value, 7.73e-3);
+  EXPECT_TRUE(parse_number("-2*^6", '.', value));
+  EXPECT_EQ(value, -2e6);
+  for (const char* text : {"2*6", "2*^", "2*^^3", "*^3"}) EXPECT_FALSE(parse_number(text, '.', value)) << text;
+}
+
 TEST(Number, BeginsWithADigitASignOrAName) {
   for (const char* text : {"1", " 1", "-1", "+1", ".5", ",5", "-,5", "inf", "-inf", "NaN",
                            "\xE2\x88\x92"

@@ -38,6 +38,7 @@ TEST(SeveralTables, WithTheSameHeadingsAreARunEach) {
        {"Interval 1\n" + kHeadings + kOne + "\nInterval 2\n" + kHeadings + kTwo,
         "Instrument,x\nDate,1.5.2026\n\nInterval 1\n" + kHeadings + kOne + "Interval 2\n" + kHeadings + kTwo + "END\n",
         "Interval 1\n" + kHeadings + kOne + "Interval 2\n" + kTwo,  // without headings of its own
+        kHeadings + "Interval 1,,\n" + kOne + "Interval 2,,\n" + kTwo,
         "Interval,1,,\n" + kHeadings + kOne + "Interval,2,3,\n" + kHeadings + kTwo + ",,\n"}) {
     const Dataset data = load(text);
     EXPECT_EQ(data.points.size(), 6u) << text;
@@ -79,6 +80,53 @@ TEST(SeveralTables, OfTestingMachinesHaveBlocksOfWords) {
                            "Total\t2 blocks\n";
   const Dataset data = load(text);
   EXPECT_EQ(runs_of(data), "table 1: 0 20 40\ntable 2: 0 20 30\n");
+}
+
+/// As testing machines export specimens, and as people keep runs in a sheet.
+TEST(SeveralTables, SideBySideAreARunEach) {
+  const std::string head = "Normalkraft;Scherkraft;Kontaktfläche", units = "mN;mN;mm²\n",
+                    two = head + ";" + head + "\n" + "mN;mN;mm²;" + units,
+                    rows = "8;0;0,46;3,5;0;0,35\n8;20;0,452;3,5;20;0,341\n8;40;0,441;3,5;30;0,329\n";
+  EXPECT_EQ(runs_of(load("Probe 1;;;Probe 2;;\n" + two + rows)), "Probe 1: 0 20 40\nProbe 2: 0 20 30\n");
+  EXPECT_EQ(runs_of(load(two + rows)), "run 1: 0 20 40\nrun 2: 0 20 30\n");
+  // one is longer, and a column stays empty between them
+  EXPECT_EQ(
+      runs_of(load("P [mN],T [mN],A [mm^2],,P [mN],T [mN],A [mm^2]\n8,0,0.46,,3.5,0,0.35\n8,20,0.45,,3.5,20,0.34\n"
+                   "8,40,0.44\n8,45,0.43,,,,\n")),
+      "run 1: 0 20 40 45\nrun 2: 0 20\n");
+  const Dataset by_names =
+      load("P = 8 mN,,P = 3.5 mN,\nT [mN],A [mm^2],T [mN],A [mm^2]\n0,0.46,0,0.35\n20,0.45,20,0.34\n40,0.44,30,0.33\n");
+  EXPECT_EQ(runs_of(by_names), "P = 8 mN: 0 20 40\nP = 3.5 mN: 0 20 30\n");
+  EXPECT_DOUBLE_EQ(by_names.curve_loads[1] * by_names.contact->force_unit(), 3.5e-3);
+  // what cannot be read is named where it stands
+  EXPECT_EQ(load_error("P [mN],T [mN],A [mm^2],P [mN],T [mN],A [mm^2]\n8,0,0.46,3.5,x,0.35\n", kConstants),
+            "a.csv:2:14: column 'T': 'x' is not a number");
+  // other units, or a column that only one has, are not the same
+  EXPECT_NE(load_error(head + ";" + head + "\nmN;mN;mm²;N;mN;mm²\n" + rows, kConstants).find("may both be P"),
+            std::string::npos);
+}
+
+TEST(SeveralTables, WhoseTitlesStateTheirLoads) {
+  const std::string headings = "T [mN],A [mm^2]\n", one = "0,0.46\n20,0.452\n40,0.441\n",
+                    two = "0,0.35\n20,0.341\n30,0.329\n";
+  const auto expect = [](const std::string& text) {
+    const Dataset data = load(text);
+    ASSERT_EQ(data.curve_loads.size(), 2u) << text;
+    EXPECT_DOUBLE_EQ(data.curve_loads[0] * data.contact->force_unit(), 8e-3) << text;
+    EXPECT_DOUBLE_EQ(data.curve_loads[1] * data.contact->force_unit(), 3.5e-3) << text;
+    EXPECT_EQ(runs_of(data), data.curves[0] + ": 0 20 40\n" + data.curves[1] + ": 0 20 30\n") << text;
+  };
+  expect("Normal load = 8 mN\n" + headings + one + "Normal load = 3.5 mN\n" + headings + two);
+  expect("P: 8 mN\n" + headings + one + "\nP: 3.5 mN\n" + headings + two);
+  expect("# T [mN], A [mm^2]\n# P = 8 mN\n" + one + "\n# run 2, P = 3.5 mN\n" + two);
+  expect("# P = 8 mN\n" + headings + one + "# P = 3.5 mN\n" + headings + two);
+  EXPECT_EQ(load("# P = 8 mN\n" + headings + one + "# P = 3.5 mN\n" + two).curves[0], "P=8 mN");
+  // one load above all rows may be that of a setting
+  EXPECT_NE(load_error("Load: 8 mN\n" + headings + one, kConstants).find("column 'P' is missing"), std::string::npos);
+  EXPECT_NE(
+      load_error("P = 8 mN\n" + headings + one + "P = 3.5 mN\n" + headings + two + "Dry\n" + headings + two, kConstants)
+          .find("the title 'Dry' states no load"),
+      std::string::npos);
 }
 
 TEST(SeveralTables, WithDecimalCommasAndAColumnOfRunsHaveTheRunsOfTheColumn) {

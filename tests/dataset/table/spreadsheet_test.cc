@@ -196,6 +196,16 @@ TEST(Spreadsheet, ADateAmongForcesIsRefused) {  // Excel makes dates of "1.5"
   EXPECT_NE(error.find("'2024-05-01' is not a number"), std::string::npos) << error;
 }
 
+TEST(Spreadsheet, MayHaveOtherNumbersBesideItsTable) {
+  const TemporaryFolder folder;
+  const std::string rows = rows_xml({{"P [mN]", "T [mN]", "A [mm^2]", "", "Lens"},
+                                     {"7.731", "0.1", "0.457", "", "radius", "9.42", "mm"},
+                                     {"7.731", "5.7", "0.456"}});
+  const Dataset data = load_dataset(folder.write("a.xlsx", zipped(workbook_parts({{"Run 1", rows}}))),
+                                    {{"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}});
+  EXPECT_EQ(data.points.size(), 2u);
+}
+
 TEST(Spreadsheet, MergedCellsStateTheirValueForAllTheirRows) {
   const std::string rows =
       "<?xml version=\"1.0\"?><worksheet><sheetData>"
