@@ -118,6 +118,10 @@ class ContactModel {
   /// `with_end`: looks for the end up to ten times the circle's natural scale of T even if no T lies beyond it.
   Ellipses ellipses(const EndParameters& parameters, double P, std::span<const double> T, bool with_end = false) const;
 
+  /// Derivatives of these states, which must be those of `ellipses` at the same arguments.
+  EllipseSlopes ellipse_slopes(const EndParameters& parameters, double P, std::span<const double> T,
+                               std::span<const EllipseState> at) const;
+
   // ---- The model itself ----
 
   /// The states at the tangential load T with these edge loads y > 0.

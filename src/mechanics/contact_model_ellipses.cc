@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "mechanics/any_law.h"
 #include "mechanics/contact_model.h"
@@ -33,6 +35,30 @@ Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::
       }
     if (with_end) most = std::max(most, 10 * circle_radius(P) / std::sqrt(std::max(small_II, small_III)));
     result.end = contact.end(most);
+  });
+  return result;
+}
+
+EllipseSlopes ContactModel::ellipse_slopes(const EndParameters& parameters, double P, std::span<const double> T,
+                                           std::span<const EllipseState> at) const {
+  const std::size_t count = 3 + parameters.mode_II.size() + parameters.mode_III.size();
+  const std::vector<double> none(count * at.size(), std::numeric_limits<double>::quiet_NaN());
+  EllipseSlopes result{none, none};
+  if (std::none_of(at.begin(), at.end(), [](const auto& one) { return one.status == EquilibriumStatus::ok; }))
+    return result;
+  with_law(*law_, [&]<class Law>(const Law& law) {
+    const Parameters<Law> mode_II = parameters_from<Law>(parameters.mode_II),
+                          mode_III = parameters_from<Law>(parameters.mode_III);
+    const EllipticContact contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (at[i].status != EquilibriumStatus::ok) continue;
+      double *const a = &result.a[count * i], *const b = &result.b[count * i];
+      contact.slopes(T[i], at[i].a, at[i].b, a, b);
+      for (std::size_t k = 0; k < count; ++k) {
+        a[k] *= at[i].a;
+        b[k] *= at[i].b;
+      }
+    }
   });
   return result;
 }

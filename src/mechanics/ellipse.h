@@ -34,6 +34,12 @@ struct EllipseState {
   double a = std::numeric_limits<double>::quiet_NaN(), b = a, psi_II = a, psi_III = a;
 };
 
+/// Derivatives of the semi-axes at fixed T, P and parameters otherwise: in T, P, the parameters of mode II, those of
+/// mode III, Poisson's ratio; point after point. Not finite on a fold, NaN where a state is not ok.
+struct EllipseSlopes {
+  std::vector<double> a, b;  // [points x (3 + 2 parameters)]
+};
+
 /// Where the stable branch that starts at T = 0 ends: at a fold under load control, or where K_I reaches 0 at the ends
 /// of an axis, so that the edge closes or slips there; the equations do not hold beyond.
 enum class EllipseEnd : unsigned char { fold, closes_along, closes_across };

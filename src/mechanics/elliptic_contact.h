@@ -47,6 +47,36 @@ class EllipticContact {
     return between(*(after - 1), *after, T);
   }
 
+  /// Writes the derivatives of ln a and ln b (EllipseSlopes) at a state on the curve.
+  void slopes(double T, double a, double b, double* of_a, double* of_b) const {
+    const double w = 4.0 / 3 * std::pow(a * b, 1.5), q = std::log(a / b), unit = 1 / (6 * pi<double>() * w);
+    const Residuals r = residuals(w - P_, q, T * T);
+    const EllipsePressure g = ellipse_pressure(q);
+    const double Y[2]{w * g.along - P_, w * g.across - P_}, determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0];
+    // what a change of the residuals does to w and q
+    const auto write = [&](double first, double second) {
+      const double dw = -(first * r.q[1] - second * r.q[0]) / determinant,
+                   dq = -(r.w[0] * second - r.w[1] * first) / determinant;
+      *of_a++ = dw / (3 * w) + 0.5 * dq;
+      *of_b++ = dw / (3 * w) - 0.5 * dq;
+    };
+    write(2 * T * r.S[0], 2 * T * r.S[1]);
+    double of_P[2];
+    std::vector<double> of_law[2];
+    for (int k = 0; k < 2; ++k) {
+      const double t = T * std::sqrt(per_square_[k]);
+      const ShearTerm<double> tau2 = t > 0 ? law_.shear_term(*p_[k], Y[k], t) : ShearTerm<double>{0, 0, 0};
+      of_P[k] = -(2 * Y[k] + tau2.d1) * unit;
+      // tau^2 = (Y^2 + T^2)/f - Y^2
+      const auto log_f = law_.log_toughness(*p_[k], mixity_from_loads(Y[k], t));
+      for (const double slope : log_f.gradient) of_law[k].push_back(-(Y[k] * Y[k] + tau2.value) * slope * unit);
+    }
+    write(of_P[0], of_P[1]);
+    for (const double slope : of_law[0]) write(slope, 0);
+    for (const double slope : of_law[1]) write(0, slope);
+    write(0, T * T * r.S[1] * per_square_[1]);
+  }
+
   /// Null if the branch reaches T_most.
   std::optional<EllipseBranchEnd> end(double T_most) {
     while (!uncoupled_ && marks_.back().T < T_most && !end_) walk(T_most);

@@ -49,6 +49,51 @@ TEST(Ellipses, HaveTheAxesOfAReferenceSolution) {
   }
 }
 
+/// Against central differences of the reference solution, with a step of 1e-15 in 60 digits.
+TEST(Ellipses, HaveTheDerivativesOfAReferenceSolution) {
+  struct Case {
+    const char* model;
+    double P, mode_II, mode_III, nu, T;
+    std::array<double, 5> a, b;
+  };
+  const std::vector<Case> cases{
+      {"c",
+       3,
+       0.3,
+       0.1,
+       0.5,
+       16,
+       {-0.01931834937732933, 0.08158234609501568, -0.4051822055708065, -0.3299213334739272, -0.06598426669478544},
+       {-0.01560707427343874, 0.07897405098049469, -0.1594714187923805, -0.7701516854979572, -0.1540303370995914}},
+      {"b",
+       -1,
+       1.2,
+       0.4,
+       0.5,
+       6,
+       {-0.03535319633868817, 0.1221655213407265, -0.03819031382522265, -0.07040662701143593, -0.05856315568110021},
+       {-0.03198954609239776, 0.1206332203664255, -0.01837881747107274, -0.141911157479455, -0.1180395306681083}},
+      {"a",
+       10,
+       0.9,
+       0.5,
+       0.25,
+       20,
+       {-0.03961842278882756, 0.07166373385490453, -1.155479625609032, -0.2125621992520452, -0.05476135099761155},
+       {-0.01878982449540816, 0.05949445438562565, -0.3342944235930711, -0.4407419845305056, -0.1135461836544142}}};
+  for (const Case& one : cases) {
+    const EndParameters p{{&one.mode_II, 1}, {&one.mode_III, 1}, one.nu};
+    const std::vector<double> T{one.T};
+    const ContactModel used = model(one.model);
+    const EllipseSlopes slopes = used.ellipse_slopes(p, one.P, T, used.ellipses(p, one.P, T).at);
+    ASSERT_EQ(slopes.a.size(), 5u);
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_NEAR(slopes.a[k] / one.a[k], 1, 1e-11) << one.model << k;
+      EXPECT_NEAR(slopes.b[k] / one.b[k], 1, 1e-11) << one.model << k;
+    }
+  }
+}
+
 TEST(Ellipses, OfEqualCouplingsAreCircles) {
   for (const char* key : {"a", "b", "c"})
     for (const double P : {-3.0, 0.0, 5.0, 200.0}) {
