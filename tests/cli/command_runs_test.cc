@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "cli/run_program.h"
 
@@ -199,6 +200,25 @@ TEST(RunsCommand, MapsColumnsInTheFileThatHasThem) {
   EXPECT_EQ(folder.left_out_of(seen("P=Kanal 1 (N),T=Kanal 2 (N)", forces, areas).complaint()),
             "mixity: F.csv:1:10: column 'Kanal 1 [mN]' is in mN, the mapping says N; to read it as the file says: "
             "--columns=\"P=Kanal 1,T=Kanal 2\"");
+}
+
+/// The example of README.md: its lambda, its budget and its first jump are those that the commands print.
+TEST(RunsCommand, GivesTheNumbersOfTheReadme) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("log"), readme = content_of(MIXITY_ROOT "/README.md");
+  ASSERT_EQ(run_program({"runs", kLog, "--out", out}).exit_code, 0);
+  const std::string fit = run_program({"fit", out + "/fit.toml", "--models=c"}).out,
+                    jumps = run_program({"instability", out + "/fit.toml"}).out;
+  const auto quoted = [&](const std::string& text, const char* pattern, const std::string& before,
+                          const std::string& behind) {
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, std::regex(pattern))) << text;
+    EXPECT_NE(readme.find(before + found[1].str() + behind), std::string::npos) << found[1];
+  };
+  quoted(fit, "lambda:  ([0-9.]+ \\+/- [0-9.]+)", "lambda = ", " by model c");
+  quoted(fit, "scatter ([0-9]+)%", "", " % of the variance from scatter");
+  quoted(fit, "shear_offset ([0-9]+)%", "", " % from the zero of the shear");
+  quoted(jumps, "load +loading +([0-9.]+ \\+/- [0-9.]+)", "T = ", " mN");
 }
 
 }  // namespace command_runs_test
