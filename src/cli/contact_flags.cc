@@ -21,10 +21,10 @@ void print_numbers(std::initializer_list<double> numbers) {
 
 bool is_elliptic() { return value_of("shape") == "ellipse"; }
 
-OutputUnits output_units() {
+OutputUnits output_units(bool of_ellipse) {
   // Mode III at the edge of an ellipse depends on Poisson's ratio, whatever states the modulus.
   std::vector<std::string_view> others;
-  if (is_elliptic()) others = {"shape", is_set("youngs_modulus") ? "" : "poisson_ratio"};
+  if (of_ellipse) others = {"shape", is_set("youngs_modulus") ? "" : "poisson_ratio"};
   Overrides overrides = metadata_overrides(others);
   if (is_set("definition")) overrides.emplace_back("definition", value_of("definition"));
   const Metadata metadata = stated_by(overrides);

@@ -32,8 +32,8 @@ void print_numbers(std::initializer_list<double> numbers);
 bool is_elliptic();
 
 /// Made from --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError
-/// if only some of them are given.
-OutputUnits output_units();
+/// if only some of them are given. `of_ellipse`: --shape=ellipse and --poisson_ratio alone are accepted.
+OutputUnits output_units(bool of_ellipse = false);
 
 struct Load {
   double dimensionless, shown;  // shown: in the output's unit

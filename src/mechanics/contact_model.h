@@ -115,8 +115,10 @@ class ContactModel {
   /// Semi-axes at each T of a contact that is loaded from T = 0 and follows its stable branch. 0 <= T <= kLargestLoad;
   /// no_equilibrium beyond its end, or below pull-off; invalid for parameters out of range, a Poisson's ratio outside
   /// [0, 1/2], and laws whose tau does not grow with shear. Relative error of the axes below 1e-13 away from a fold.
-  /// `with_end`: looks for the end up to ten times the circle's natural scale of T even if no T lies beyond it.
-  Ellipses ellipses(const EndParameters& parameters, double P, std::span<const double> T, bool with_end = false) const;
+  Ellipses ellipses(const EndParameters& parameters, double P, std::span<const double> T) const;
+  /// Where its branches end, up to ten times the circle's natural scale of T. T and axes of a fold are accurate to 1e-8
+  /// (T under load control to 1e-13).
+  EllipseEnds ellipse_ends(const EndParameters& parameters, double P) const;
 
   /// Derivatives of these states, which must be those of `ellipses` at the same arguments.
   EllipseSlopes ellipse_slopes(const EndParameters& parameters, double P, std::span<const double> T,

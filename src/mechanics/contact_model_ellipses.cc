@@ -10,31 +10,52 @@
 
 namespace mixity {
 
-Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::span<const double> T,
-                                bool with_end) const {
-  Ellipses result{std::vector<EllipseState>(T.size())};
+namespace {
+
+/// Calls use(law, mode_II, mode_III) if the law has an elliptic contact with these parameters.
+template <class Use>
+void with_ellipse(const ContactModel& model, const AnyLaw& any, const EndParameters& parameters, double P,
+                  const Use& use) {
   const double nu = parameters.poisson_ratio;
-  if (!(nu >= 0 && nu <= 0.5) || !problem(parameters.mode_II, 0).empty() || !problem(parameters.mode_III, 0).empty() ||
-      !obstacle(parameters.mode_II, P).empty())
-    return result;
-  with_law(*law_, [&]<class Law>(const Law& law) {
+  if (!(nu >= 0 && nu <= 0.5) || !model.problem(parameters.mode_II, 0).empty() ||
+      !model.problem(parameters.mode_III, 0).empty() || !model.obstacle(parameters.mode_II, P).empty())
+    return;
+  with_law(any, [&]<class Law>(const Law& law) {
     const Parameters<Law> mode_II = parameters_from<Law>(parameters.mode_II),
                           mode_III = parameters_from<Law>(parameters.mode_III);
-    const double small_II = law.small_shear(mode_II), small_III = law.small_shear(mode_III);
-    if (is_non_monotone(law, mode_II) || is_non_monotone(law, mode_III) || !std::isfinite(small_II + small_III)) return;
+    const bool monotone = !is_non_monotone(law, mode_II) && !is_non_monotone(law, mode_III);
+    if (monotone && std::isfinite(law.small_shear(mode_II) + law.small_shear(mode_III))) use(law, mode_II, mode_III);
+  });
+}
+
+}  // namespace
+
+Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::span<const double> T) const {
+  Ellipses result{std::vector<EllipseState>(T.size())};
+  with_ellipse(*this, *law_, parameters, P, [&](const auto& law, const auto& mode_II, const auto& mode_III) {
     if (above_pull_off(P) < 0) {
       for (EllipseState& state : result.at) state.status = EquilibriumStatus::no_equilibrium;
       return;
     }
-    EllipticContact contact(law, mode_II, mode_III, nu, P);
+    EllipticContact contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
     double most = 0;
     for (std::size_t i = 0; i < T.size(); ++i)
       if (T[i] >= 0 && T[i] <= kLargestLoad) {
         result.at[i] = contact.at(T[i]);
         most = std::max(most, T[i]);
       }
-    if (with_end) most = std::max(most, 10 * circle_radius(P) / std::sqrt(std::max(small_II, small_III)));
     result.end = contact.end(most);
+  });
+  return result;
+}
+
+EllipseEnds ContactModel::ellipse_ends(const EndParameters& parameters, double P) const {
+  EllipseEnds result;
+  with_ellipse(*this, *law_, parameters, P, [&](const auto& law, const auto& mode_II, const auto& mode_III) {
+    const double coupling = std::max(law.small_shear(mode_II), law.small_shear(mode_III));
+    if (above_pull_off(P) < 0 || !(coupling > 0)) return;
+    EllipticContact contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
+    result = contact.ends(10 * circle_radius(P) / std::sqrt(coupling));
   });
   return result;
 }

@@ -40,8 +40,8 @@ struct EllipseSlopes {
   std::vector<double> a, b;  // [points x (3 + 2 parameters)]
 };
 
-/// Where the stable branch that starts at T = 0 ends: at a fold under load control, or where K_I reaches 0 at the ends
-/// of an axis, so that the edge closes or slips there; the equations do not hold beyond.
+/// Where the stable branch that starts at T = 0 ends: at a fold of the controlled quantity, T or u, or where K_I
+/// reaches 0 at the ends of an axis, so that the edge closes or slips there; the equations do not hold beyond.
 enum class EllipseEnd : unsigned char { fold, closes_along, closes_across };
 inline std::string_view to_string(EllipseEnd end) {
   constexpr std::string_view kNames[]{"fold", "closes_along", "closes_across"};
@@ -49,12 +49,18 @@ inline std::string_view to_string(EllipseEnd end) {
 }
 struct EllipseBranchEnd {
   EllipseEnd kind;
-  double T, a, b;
+  double T, u, a, b;
 };
 
 struct Ellipses {
   std::vector<EllipseState> at;           // in the order of the T
   std::optional<EllipseBranchEnd> end{};  // set if it was asked for or if a T lies beyond it
+};
+
+/// The ends of the branch that is stable under load control, and of that under displacement control. Null where the
+/// branch goes on beyond every T that was looked at.
+struct EllipseEnds {
+  std::optional<EllipseBranchEnd> load, displacement;
 };
 
 }  // namespace mixity

@@ -1,5 +1,6 @@
 #include "mechanics/ellipse_pressure.h"
 
+#include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <cmath>
 #include <limits>
@@ -61,6 +62,15 @@ EllipsePressure ellipse_pressure(double q) {
   const EllipsePressure p = of_long_axis(std::abs(q));
   if (q >= 0) return p;
   return {p.across, p.along, -p.across_slope, -p.along_slope};
+}
+
+double ellipse_compliance(double q, double nu) {
+  // along a ray at the angle theta the traction integrates to pi/2 of the edge's distance R(theta)
+  const double square = -std::expm1(-2 * std::abs(q));  // of the eccentricity
+  const double all = boost::math::ellint_1(std::sqrt(square)),
+               of_long_axis = boost::math::ellint_rd(0.0, 1 - square, 1.0) / 3;  // cos^2 from the long axis
+  const double along = q >= 0 ? of_long_axis : all - of_long_axis;
+  return std::exp(-0.5 * std::abs(q)) / (pi<double>() * (1 - nu)) * ((1 - nu) * all + nu * along);
 }
 
 }  // namespace mixity

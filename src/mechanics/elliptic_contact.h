@@ -26,6 +26,7 @@ class EllipticContact {
         p_{&mode_II, &mode_III},
         P_(P),
         S0_(circle_radius(P)),
+        poisson_ratio_(poisson_ratio),
         per_square_{1, 1 / (1 - poisson_ratio)},
         small_{law.small_shear(mode_II), law.small_shear(mode_III)} {
     Mark first{0, 0, 0, 0, 0};
@@ -81,6 +82,20 @@ class EllipticContact {
   std::optional<EllipseBranchEnd> end(double T_most) {
     while (!uncoupled_ && marks_.back().T < T_most && !end_) walk(T_most);
     return end_;
+  }
+
+  EllipseEnds ends(double T_most) {
+    EllipseEnds found{end(T_most), {}};
+    if (!found.load || found.load->kind != EllipseEnd::fold) {  // u grows as long as T does
+      found.displacement = found.load;
+      return found;
+    }
+    Mark last = marks_.back();
+    while (!found.displacement)
+      if (const auto next = beyond(
+              last, [this](const Mark& mark) { return displacement_slope(mark); }, found.displacement))
+        last = *next;
+    return found;
   }
 
  private:
@@ -169,42 +184,60 @@ class EllipticContact {
     return mark_at(phi, from.q + step * from.q_slope, std::max(from.T + step * from.T_slope, 0.5 * from.T));
   }
 
-  /// Adds a mark, and the end if it lies before it.
-  void walk(double T_most) {
-    constexpr double kStep = 0.05, kLeast = 1e-13, kSteep = 1e3;
-    const Mark& from = marks_.back();
-    double step = kStep;
+  /// d(u)/d(phi), with the shape's derivative from differences: its error moves an extremum of u by 1e-9.
+  double displacement_slope(const Mark& mark) const {
+    constexpr double kStep = 1e-5;
+    const double w = edge_load_at(mark.phi) + P_, w_slope = -S0_ * std::sin(mark.phi);
+    const auto compliance = [&](double q) { return ellipse_compliance(q, poisson_ratio_); };
+    const double at = compliance(mark.q),
+                 of_q = (compliance(mark.q + kStep) - compliance(mark.q - kStep)) / (2 * kStep * at);
+    return mark.T_slope / mark.T + of_q * mark.q_slope - w_slope / (3 * w);
+  }
+
+  EllipseBranchEnd end_at(EllipseEnd kind, const Mark& mark) const {
+    const EllipseState at = state(edge_load_at(mark.phi) + P_, mark.q, mark.T);
+    return {kind, mark.T, mark.T * ellipse_compliance(mark.q, poisson_ratio_) / std::sqrt(at.a * at.b), at.a, at.b};
+  }
+
+  /// The next mark on the curve as long as the controlled quantity, of which `slope_of` has the sign of the slope,
+  /// grows; at the end the last mark, or null if it is `from`.
+  template <class Slope>
+  std::optional<Mark> beyond(const Mark& from, const Slope& slope_of, std::optional<EllipseBranchEnd>& end) const {
+    constexpr double kStep = 0.05, kLeast = 1e-13, kFarther = 0.2;  // in phi; of q
     std::optional<Mark> to;
-    for (; step > kLeast * std::max(from.phi, kStep); step *= 0.5) {
+    for (double step = kStep; step > kLeast * std::max(from.phi, kStep); step *= 0.5) {
       to = next_from(from, from.phi + step);
-      if (to && std::abs(to->q - from.q) < 0.2) break;
+      if (to && std::abs(to->q - from.q) < kFarther) break;
       to.reset();
     }
     if (!to) {
-      // towards an asymptote T grows without bound; at an edge that closes it does not
-      if (from.T_slope > kSteep * from.T && from.T < T_most && walk_in_T(T_most)) return;
-      const double y = edge_load_at(from.phi), w = y + P_;
+      const double w = edge_load_at(from.phi) + P_;
       const EllipsePressure g = ellipse_pressure(from.q);
-      const bool along = w * g.along - P_ < w * g.across - P_;
-      const EllipseState at = state(w, from.q, from.T);
-      end_ = EllipseBranchEnd{along ? EllipseEnd::closes_along : EllipseEnd::closes_across, from.T, at.a, at.b};
-      return;
+      end = end_at(w * g.along < w * g.across ? EllipseEnd::closes_along : EllipseEnd::closes_across, from);
+      return std::nullopt;
     }
-    if (to->T_slope > 0) {
-      marks_.push_back(*to);
-      return;
-    }
-    const Mark begin = from;
+    if (slope_of(*to) > 0) return to;
     const auto slope = [&](double phi) {
-      if (phi == begin.phi) return begin.T_slope;
-      const auto mark = next_from(begin, phi);
-      return mark ? mark->T_slope : -1.0;
+      const auto mark = phi > from.phi ? next_from(from, phi) : std::optional(from);
+      return mark && mark->phi > 0 ? slope_of(*mark) : mark ? 1.0 : -1.0;
     };
-    const double phi = root_between(slope, begin.phi, to->phi);
-    const Mark fold = phi > begin.phi ? next_from(begin, phi).value_or(begin) : begin;
-    if (fold.phi > begin.phi) marks_.push_back(fold);
-    const EllipseState at = state(edge_load_at(fold.phi) + P_, fold.q, fold.T);
-    end_ = EllipseBranchEnd{EllipseEnd::fold, fold.T, at.a, at.b};
+    const double phi = root_between(slope, from.phi, to->phi);
+    const auto fold = phi > from.phi ? next_from(from, phi) : std::nullopt;
+    end = end_at(EllipseEnd::fold, fold.value_or(from));
+    return fold;
+  }
+
+  /// Adds a mark, and the end if it lies before it.
+  void walk(double T_most) {
+    constexpr double kSteep = 1e3;
+    const Mark from = marks_.back();
+    std::optional<EllipseBranchEnd> end;
+    if (const auto next = beyond(
+            from, [](const Mark& mark) { return mark.T_slope; }, end))
+      marks_.push_back(*next);
+    // towards an asymptote T grows without bound; at an edge that closes it does not
+    const bool may_go_on = end && end->kind != EllipseEnd::fold && from.T_slope > kSteep * from.T && from.T < T_most;
+    if (!(may_go_on && walk_in_T(T_most))) end_ = end;
   }
 
   /// A mark at twice the last T, or at T_most, where w hardly changes. False if there is none.
@@ -277,7 +310,7 @@ class EllipticContact {
 
   const Law& law_;
   const Parameters<Law>* p_[2];
-  double P_, S0_;
+  double P_, S0_, poisson_ratio_;
   double per_square_[2];  // T'^2 over T^2
   double small_[2];       // tau^2/T'^2 at T -> 0
   bool uncoupled_ = false, at_large_T_ = false;

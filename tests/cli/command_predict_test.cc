@@ -93,13 +93,22 @@ TEST(Program, PredictsTheAxesOfAnEllipse) {
       {"--model=c", "--lambda_II=0.008", "--lambda_III=0", "--poisson_ratio=0.5", "--shear=0,95.3202193183654,180"}));
   const auto lines = lines_of(result.out);
   ASSERT_EQ(lines.size(), 4) << result.err;
-  EXPECT_EQ(lines[0], "P,T,a,b,A,psi_II,psi_III,status");
+  EXPECT_EQ(lines[0], "P,T,a,b,A,u,psi_II,psi_III,status");
   const auto fields = fields_of(lines[2]);
   EXPECT_NEAR(std::strtod(fields[2].c_str(), nullptr), 2.54799398314334041, 1e-12);
   EXPECT_NEAR(std::strtod(fields[3].c_str(), nullptr), 2.60750787687640354, 1e-12);
-  EXPECT_EQ(lines[3], "3,180,,,,,,no_equilibrium");
+  EXPECT_EQ(lines[3], "3,180,,,,,,,no_equilibrium");
   EXPECT_NE(result.err.find("the contact jumps at T = 175."), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("under displacement control at T = "), std::string::npos) << result.err;
   EXPECT_EQ(result.exit_code, 0);
+}
+
+TEST(Program, OtherCommandsRefuseAnEllipse) {
+  for (const char* command : {"curve", "instability"}) {
+    const ProgramResult result = run_program({command, "--model=c", "--lambda=0.1", "--load=3", "--shape=ellipse"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("only predict --model knows ellipses"), std::string::npos) << result.err;
+  }
 }
 
 TEST(Program, AnEllipseHasParametersOfBothModesAndPoissonsRatio) {
@@ -114,6 +123,7 @@ TEST(Program, AnEllipseHasParametersOfBothModesAndPoissonsRatio) {
   says({"--model=c", "--lambda_II=0.1", "--lambda_III=0.1"}, "needs --poisson_ratio");
   says({"--model=bk", "--parameters=r_II=3,eta_II=2,r_III=2", "--poisson_ratio=0.5"}, "needs --parameters=eta_III=...");
   says({"--model=c", "--lambda_II=0.1", "--lambda_III=2", "--poisson_ratio=0.5"}, "lambda_III is '2'");
+  says({MIXITY_ROOT "/data/mergel2018.csv"}, "only predict --model knows ellipses");
 }
 
 }  // namespace command_predict_test

@@ -19,9 +19,12 @@ constexpr double kAxes = 1e-12;  // relative, away from folds
 
 ContactModel model(const char* key) { return ContactModel::find(key).value(); }
 
-Ellipses ellipses(const char* key, double mode_II, double mode_III, double nu, double P, const std::vector<double>& T,
-                  bool with_end = false) {
-  return model(key).ellipses({{&mode_II, 1}, {&mode_III, 1}, nu}, P, T, with_end);
+Ellipses ellipses(const char* key, double mode_II, double mode_III, double nu, double P, const std::vector<double>& T) {
+  return model(key).ellipses({{&mode_II, 1}, {&mode_III, 1}, nu}, P, T);
+}
+
+EllipseEnds ends(const char* key, double mode_II, double mode_III, double nu, double P) {
+  return model(key).ellipse_ends({{&mode_II, 1}, {&mode_III, 1}, nu}, P);
 }
 
 TEST(Ellipses, HaveTheAxesOfAReferenceSolution) {
@@ -156,45 +159,80 @@ TEST(Ellipses, OfNearlyEqualCouplingsFollowTheFirstOrder) {
 
 TEST(Ellipses, EndAtAFoldBeforeTheCircleOfTheMeanCoupling) {
   const double mean = 0.004, circle = model("c").first_stable_end({&mean, 1}, 3);
-  const Ellipses found = ellipses("c", 0.008, 0, 0, 3, {}, true);
-  ASSERT_TRUE(found.end);
-  EXPECT_EQ(found.end->kind, EllipseEnd::fold);
-  EXPECT_LT(found.end->T, 0.9999 * circle);
-  const double T = found.end->T;
+  const auto found = ends("c", 0.008, 0, 0, 3).load;
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, EllipseEnd::fold);
+  EXPECT_LT(found->T, 0.9999 * circle);
+  const double T = found->T;
   const Ellipses around = ellipses("c", 0.008, 0, 0, 3, {T * (1 - 1e-9), T * (1 + 1e-9)});
   EXPECT_EQ(around.at[0].status, EquilibriumStatus::ok);
   EXPECT_EQ(around.at[1].status, EquilibriumStatus::no_equilibrium);
   EXPECT_TRUE(std::isnan(around.at[1].a));
 }
 
+/// Circles, whose folds are known in closed form; the displacement of a circle is 3/4 T/a at nu = 1/2.
+TEST(Ellipses, OfEqualCouplingsHaveTheFoldsOfCircles) {
+  const double lambda = 0.2;
+  for (const double P : {-3.0, 0.0, 5.0, 40.0}) {
+    const EllipseEnds found = ends("c", lambda, lambda * 0.5, 0.5, P);
+    ASSERT_TRUE(found.load && found.displacement) << P;
+    const Fold load = model("c").folds({&lambda, 1}, P, {Control::Kind::load})[0],
+               displacement = model("c").folds({&lambda, 1}, P, {Control::Kind::displacement})[0];
+    EXPECT_EQ(found.load->kind, EllipseEnd::fold);
+    EXPECT_EQ(found.displacement->kind, EllipseEnd::fold);
+    EXPECT_NEAR(found.load->T / load.T, 1, 1e-13) << P;
+    EXPECT_NEAR(found.load->u / load.u, 1, 1e-7) << P;  // along the flat top of T
+    EXPECT_NEAR(found.displacement->u / displacement.u, 1, 1e-13) << P;
+    EXPECT_NEAR(found.displacement->T / displacement.T, 1, 1e-8) << P;
+  }
+}
+
+/// Against the integral of the edge's distance over the angle, by the trapezoidal rule, which converges geometrically.
+TEST(Ellipses, HaveTheComplianceOfTheirOutline) {
+  for (const double q : {-1.0, -0.1, 0.0, 1e-6, 0.1, 1.0})
+    for (const double nu : {0.0, 0.3, 0.5}) {
+      const double a = std::exp(0.5 * q), b = std::exp(-0.5 * q);
+      constexpr int kPoints = 400;
+      double sum = 0;
+      for (int i = 0; i < kPoints; ++i) {
+        const double c = std::cos(2 * pi<double>() * i / kPoints), square = c * c;
+        sum += (1 - nu + nu * square) / std::sqrt(square / (a * a) + (1 - square) / (b * b));
+      }
+      const double expected = sum / kPoints * 2 * pi<double>() / (4 * pi<double>() * (1 - nu));
+      EXPECT_NEAR(ellipse_compliance(q, nu) / expected, 1, 1e-13) << q << ' ' << nu;
+    }
+}
+
 /// Under model b large loads reach Hertz smoothly; a circle does at sqrt(6 pi P)/sin(pi lambda/4).
 TEST(Ellipses, EndWhereTheEdgeCloses) {
   const double P = 30;
-  const Ellipses circle = ellipses("b", 0.15, 0.15, 0, P, {}, true), found = ellipses("b", 0.2, 0.1, 0, P, {}, true);
-  ASSERT_TRUE(circle.end && found.end);
-  EXPECT_NEAR(circle.end->T * std::sin(pi<double>() * 0.15 / 4) / std::sqrt(6 * pi<double>() * P), 1, 1e-10);
-  EXPECT_EQ(found.end->kind, EllipseEnd::closes_along);
-  const auto [kind, T, a, b] = *found.end;
+  const auto circle = ends("b", 0.15, 0.15, 0, P).load, found = ends("b", 0.2, 0.1, 0, P).load;
+  ASSERT_TRUE(circle && found);
+  EXPECT_NEAR(circle->T * std::sin(pi<double>() * 0.15 / 4) / std::sqrt(6 * pi<double>() * P), 1, 1e-10);
+  EXPECT_EQ(found->kind, EllipseEnd::closes_along);
+  const auto [kind, T, u, a, b] = *found;
+  EXPECT_GT(u, 0);
   // K_I = 0 at (a, 0), to the square root of the rounding of w
   EXPECT_NEAR(4.0 / 3 * std::pow(a * b, 1.5) * ellipse_pressure(std::log(a / b)).along / P, 1, 1e-9);
   EXPECT_EQ(ellipses("b", 0.2, 0.1, 0, P, {T * 1.001}).at[0].status, EquilibriumStatus::no_equilibrium);
-  EXPECT_EQ(ellipses("b", 0.1, 0.2, 0, P, {}, true).end->kind, EllipseEnd::closes_across);
+  EXPECT_EQ(ends("b", 0.1, 0.2, 0, P).load->kind, EllipseEnd::closes_across);
 }
 
 /// With lambda_III = 0 K_I at (a, 0) falls with the load at the end, but the fold comes first.
 TEST(Ellipses, OfModelCHaveAFoldBeforeTheEdgeCloses) {
   for (const double P : {3.0, 100.0, 1e4, 1e6}) {
-    const Ellipses found = ellipses("c", 0.008, 0, 0, P, {}, true);
-    ASSERT_TRUE(found.end);
-    EXPECT_EQ(found.end->kind, EllipseEnd::fold) << P;
-    const double w = 4.0 / 3 * std::pow(found.end->a * found.end->b, 1.5);
-    EXPECT_GT(w * ellipse_pressure(std::log(found.end->a / found.end->b)).along, P) << P;
+    const auto found = ends("c", 0.008, 0, 0, P).load;
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->kind, EllipseEnd::fold) << P;
+    const double w = 4.0 / 3 * std::pow(found->a * found->b, 1.5);
+    EXPECT_GT(w * ellipse_pressure(std::log(found->a / found->b)).along, P) << P;
   }
 }
 
 TEST(Ellipses, OfUncoupledModesStayJkrsCircle) {
-  const Ellipses found = ellipses("c", 0, 0, 0.5, 3, {0, 1e3, 1e150}, true);
+  const Ellipses found = ellipses("c", 0, 0, 0.5, 3, {0, 1e3, 1e150});
   EXPECT_FALSE(found.end);
+  EXPECT_FALSE(ends("c", 0, 0, 0.5, 3).load);
   for (const EllipseState& one : found.at) EXPECT_EQ(one.a, one.b);
 }
 
