@@ -51,10 +51,15 @@ void predict(const ContactModel& model) {
 void predict_ellipse(const ContactModel& model) {
   if (!is_set("poisson_ratio")) throw UsageError("--shape=ellipse needs --poisson_ratio, which mode III depends on");
   const double nu = number_from("poisson_ratio", 0, 0.5);
-  const auto [mode_II, mode_III] = end_parameters_from_flags(model);
-  const auto [units, load, shears, T] = Loads(true);
-  for (const ParameterValues& p : {mode_II, mode_III}) require_contact(model, p, load.dimensionless);
-  const Ellipses found = model.ellipses({mode_II, mode_III, nu}, load.dimensionless, T);
+  const EndParameterValues ends = end_parameters_from_flags(model);
+  const EndParameters p{ends.mode_II, ends.mode_III, nu};
+  const Loads loads(true);
+  const OutputUnits& units = loads.units;
+  const Load& load = loads.load;
+  const std::vector<Load>& shears = loads.shears;
+  const std::vector<double>& T = loads.T;
+  for (const ParameterValues& one : {ends.mode_II, ends.mode_III}) require_contact(model, one, load.dimensionless);
+  const Ellipses found = model.ellipses(p, load.dimensionless, T);
   if (!shears.empty() && found.at[0].status == EquilibriumStatus::invalid)
     throw UsageError("model " + std::string(model.info().key) +
                      " has no elliptic contact with these parameters: its shear term must grow with T from T = 0 on");
@@ -89,7 +94,7 @@ void predict_ellipse(const ContactModel& model) {
          ": the edge closes or slips there, and the equations end");
     return;
   }
-  const auto later = model.ellipse_ends({mode_II, mode_III, nu}, load.dimensionless).displacement;
+  const auto later = model.ellipse_ends(p, load.dimensionless).displacement;
   warn("the contact jumps at " + at(*found.end) + (later ? "; under displacement control at " + at(*later) : ""));
 }
 
