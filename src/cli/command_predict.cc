@@ -1,24 +1,29 @@
 // mixity predict: areas at a list of tangential loads, of one model at one normal load, or of a fit with its band.
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/contact_flags.h"
 #include "cli/fitted_contact.h"
 #include "cli/flag_values.h"
 #include "mechanics/ellipse_pressure.h"
+#include "mechanics/held_approach.h"
+
+DEFINE_string(approach, "",
+              "approach of the sphere that is held in place of a load: a number, or a length such as \"2 um\"");
+DEFINE_string(normal_stiffness, "",
+              "of a held approach: stiffness of the machine, such as \"1.2 kN/m\"; without it the machine is rigid");
 
 namespace mixity::cli {
 namespace {
 
-struct Loads {
-  OutputUnits units;
-  Load load = load_from("load", units);
-  std::vector<Load> shears = loads_from("shear", units);
+struct Shears {
+  std::vector<Load> shown;
   std::vector<double> T{};
 
-  explicit Loads(bool of_ellipse) : units(output_units(of_ellipse)) {
-    for (const Load& shear : shears) {
+  explicit Shears(const OutputUnits& units) : shown(loads_from("shear", units)) {
+    for (const Load& shear : shown) {
       if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
         throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
       T.push_back(shear.dimensionless);
@@ -26,25 +31,72 @@ struct Loads {
   }
 };
 
+/// A row of the prediction; P is empty where it is not held and there is no equilibrium.
+void print_state(const OutputUnits& units, std::optional<double> P, double T, EquilibriumStatus status,
+                 const ContactState& state) {
+  std::cout << (P ? shortest(*P) : "") << ',' << shortest(T) << ',';
+  if (status == EquilibriumStatus::ok)
+    print_numbers({state.y * units.force_scale, state.a * units.length_scale, state.A * units.area_scale,
+                   state.u * units.displacement_scale, state.psi, state.f});
+  else
+    std::cout << ",,,,,";
+  std::cout << ',' << to_string(status) << '\n';
+}
+
+constexpr const char* kColumns = "P,T,y,a,A,u,psi,f,status";
+
 void predict(const ContactModel& model) {
   const ParameterValues p = parameters_from_flags(model);
-  const auto [units, load, shears, T] = Loads(false);
+  const OutputUnits units = output_units();
+  const Load load = load_from("load", units);
+  const Shears shears(units);
   require_contact(model, p, load.dimensionless);
-  const std::vector<Equilibrium> found = model.equilibria(p, load.dimensionless, T).at;
-
-  std::cout << units.headings("P,T,y,a,A,u,psi,f,status") << '\n';
-  for (std::size_t i = 0; i < shears.size(); ++i) {
-    print_numbers({load.shown, shears[i].shown});
-    std::cout << ',';
-    if (found[i].status == EquilibriumStatus::ok) {
-      const ContactState state = contact_state(load.dimensionless, T[i], found[i].y);
-      print_numbers({state.y * units.force_scale, state.a * units.length_scale, state.A * units.area_scale,
-                     state.u * units.displacement_scale, state.psi, state.f});
-    } else {
-      std::cout << ",,,,,";
-    }
-    std::cout << ',' << to_string(found[i].status) << '\n';
+  const std::vector<Equilibrium> found = model.equilibria(p, load.dimensionless, shears.T).at;
+  std::cout << units.headings(kColumns) << '\n';
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool ok = found[i].status == EquilibriumStatus::ok;
+    print_state(units, load.shown, shears.shown[i].shown, found[i].status,
+                ok ? contact_state(load.dimensionless, shears.T[i], found[i].y) : ContactState{});
   }
+}
+
+/// A length of either sign, dimensionless.
+double approach_from_flag(const OutputUnits& units) {
+  const bool bare = !units.contact;
+  const Quantity given = quantity_from(
+      "approach",
+      bare ? "be a number; a unit needs --radius, --modulus and --toughness" : "be a length, such as \"2 um\"",
+      [&](const Quantity& one) { return bare ? one.unit.text.empty() : one.unit.dimension == dimension::length; });
+  return bare ? given.value : given.si() / units.contact->displacement_unit();
+}
+
+/// The approach is held in place of the load (mechanics/held_approach.h).
+void predict_under_approach(const ContactModel& model) {
+  if (is_set("load")) throw UsageError("--approach and --load: one of them is held");
+  const ParameterValues p = parameters_from_flags(model);
+  const OutputUnits units = output_units();
+  HeldApproach held{approach_from_flag(units)};
+  if (is_set("normal_stiffness"))
+    held.compliance =
+        1 / positive_quantity("normal_stiffness", "N/m",
+                              units.contact ? std::optional(units.contact->stiffness_unit()) : std::nullopt);
+  const Shears shears(units);
+  require_contact(model, p);
+  const ApproachStates found = under_held_approach(model, p, held, shears.T);
+  if (!found.at.empty() && found.at[0].status == EquilibriumStatus::invalid)
+    throw UsageError("flag '--approach' or '--normal_stiffness' is out of range");
+  std::cout << units.headings(kColumns) << '\n';
+  for (std::size_t i = 0; i < found.at.size(); ++i) {
+    const auto& [status, P, a] = found.at[i];
+    const bool ok = status == EquilibriumStatus::ok;
+    print_state(units, ok ? std::optional(P * units.force_scale) : std::nullopt, shears.shown[i].shown, status,
+                ok ? contact_state(P, shears.T[i], edge_load(a, P)) : ContactState{});
+  }
+  if (!found.end) return;
+  const std::string unit = units.force.empty() ? "" : " " + units.force;
+  warn((found.end->fold ? "the contact jumps at T = " : "the edge load falls to 0 at T = ") +
+       rounded(found.end->T * units.force_scale, 6) + unit + ", P = " + rounded(found.end->P * units.force_scale, 6) +
+       unit);
 }
 
 /// The semi-axes of an ellipse (mechanics/ellipse.h).
@@ -53,11 +105,13 @@ void predict_ellipse(const ContactModel& model) {
   const double nu = number_from("poisson_ratio", 0, 0.5);
   const EndParameterValues ends = end_parameters_from_flags(model);
   const EndParameters p{ends.mode_II, ends.mode_III, nu};
-  const Loads loads(true);
-  const OutputUnits& units = loads.units;
-  const Load& load = loads.load;
-  const std::vector<Load>& shears = loads.shears;
-  const std::vector<double>& T = loads.T;
+  if (is_set("approach"))
+    throw UsageError("--approach and --shape=ellipse: a held approach is known for circles alone");
+  const OutputUnits units = output_units(true);
+  const Load load = load_from("load", units);
+  const Shears shears_given(units);
+  const std::vector<Load>& shears = shears_given.shown;
+  const std::vector<double>& T = shears_given.T;
   for (const ParameterValues& one : {ends.mode_II, ends.mode_III}) require_contact(model, one, load.dimensionless);
   const Ellipses found = model.ellipses(p, load.dimensionless, T);
   if (!shears.empty() && found.at[0].status == EquilibriumStatus::invalid)
@@ -101,14 +155,21 @@ void predict_ellipse(const ContactModel& model) {
 }  // namespace
 
 int run_predict(const Arguments& arguments) {
+  if (is_set("normal_stiffness") && !is_set("approach")) throw UsageError("--normal_stiffness needs --approach");
   if (!arguments.empty()) {
+    if (is_set("approach")) throw UsageError("--approach needs --model in place of data: fits are of held loads");
     const FittedContact fitted("predict", arguments);
     const std::vector<Load> shears = fitted.loads_of("shear");
     fitted.print_areas([&](const Load&) { return shears; });
     return fitted.exit_code();
   }
   const ContactModel model = model_from(FLAGS_model);
-  is_elliptic() ? predict_ellipse(model) : predict(model);
+  if (is_elliptic())
+    predict_ellipse(model);
+  else if (is_set("approach"))
+    predict_under_approach(model);
+  else
+    predict(model);
   return kFine;
 }
 

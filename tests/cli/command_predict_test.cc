@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/run_program.h"
+#include "mechanics/contact.h"
 
 namespace mixity::cli {
 namespace command_predict_test {
@@ -79,6 +80,31 @@ TEST(Program, PredictNeverPrintsNan) {
         EXPECT_EQ(result.out.find("nan"), std::string::npos) << what;
         EXPECT_EQ(result.out.find("inf"), std::string::npos) << what;
       }
+}
+
+/// Reference states as in HeldApproach.HasTheStatesOfAReferenceSolution.
+TEST(Program, PredictsUnderAHeldApproach) {
+  const Words words{"predict", "--model=c", "--lambda=0.15", "--approach=5", "--shear=20,1000"};
+  const ProgramResult rigid = run_program(words);
+  const auto lines = lines_of(rigid.out);
+  ASSERT_EQ(lines.size(), 3) << rigid.err;
+  EXPECT_NEAR(std::strtod(fields_of(lines[1])[0].c_str(), nullptr), 11.7692054217687455, 1e-10);
+  EXPECT_NEAR(std::strtod(fields_of(lines[1])[3].c_str(), nullptr), 3.02824894168804244, 1e-12);
+  EXPECT_EQ(lines[2], ",1000,,,,,,,no_equilibrium");
+  EXPECT_NE(rigid.err.find("the contact jumps at T = "), std::string::npos) << rigid.err;
+  // with dimensions: the same contact
+  const double unit = Contact{9.42e-3, 2.133e6, 27e-3}.displacement_unit();
+  const ProgramResult shown =
+      run_program({"predict", "--model=c", "--lambda=0.15", "--approach=" + std::to_string(5e6 * unit) + " um",
+                   "--normal_stiffness=1e9 kN/m", "--shear=1 mN", "--radius=9.42 mm", "--modulus=2.133 MPa",
+                   "--toughness=27 mJ/m^2"});
+  EXPECT_EQ(lines_of(shown.out).at(0).substr(0, 15), "P [mN],T [mN],y") << shown.err;
+  for (const Words& wrong :
+       {Words{"predict", "--model=c", "--lambda=0.15", "--approach=5", "--load=3", "--shear=2"},
+        Words{"predict", "--model=c", "--lambda=0.15", "--approach=5 um", "--shear=2"},
+        Words{"predict", "--model=c", "--lambda=0.15", "--load=5", "--normal_stiffness=3", "--shear=2"},
+        Words{"predict", MIXITY_ROOT "/data/mergel2018.csv", "--approach=5 um", "--shear=2 mN"}})
+    EXPECT_EQ(run_program(wrong).exit_code, 2) << joined(wrong);
 }
 
 Words predict_ellipse(const Words& more) {
