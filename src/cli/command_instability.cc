@@ -45,8 +45,11 @@ InstabilityReport of_flags(const ContactModel& model) {
   InstabilityReport::AtLoad at{load.shown, {}};
   for (const Control& control : controls(shown.contact)) {
     if (const auto problem = model.problem(p, load.dimensionless); !problem.empty()) throw UsageError(problem);
-    for (const Fold& fold : model.folds(p, load.dimensionless, control))
+    for (Fold fold : model.folds(p, load.dimensionless, control)) {
+      fold.T /= shown.shear_weight;
+      fold.u /= shown.shear_weight;
       at.predicted.folds.push_back(as_prediction(fold));
+    }
   }
   report.loads.push_back(std::move(at));
   return report;

@@ -13,13 +13,14 @@ struct Loads {
   OutputUnits units = output_units();
   Load load = load_from("load", units);
   std::vector<Load> shears = loads_from("shear", units);
-  std::vector<double> T{};
+  std::vector<double> T{};  // in the equations of the models
 
   Loads() {
     for (const Load& shear : shears) {
-      if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
+      const double weighted = units.shear_weight * shear.dimensionless;
+      if (!(weighted >= 0 && weighted <= kLargestLoad))
         throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
-      T.push_back(shear.dimensionless);
+      T.push_back(weighted);
     }
   }
 };
@@ -37,7 +38,7 @@ void predict(const ContactModel& model) {
     if (found[i].status == EquilibriumStatus::ok) {
       const ContactState state = contact_state(load.dimensionless, T[i], found[i].y);
       print_numbers({state.y * units.force_scale, state.a * units.length_scale, state.A * units.area_scale,
-                     state.u * units.displacement_scale, state.psi, state.f});
+                     state.u * units.slip_scale(), state.psi, state.f});
     } else {
       std::cout << ",,,,,";
     }
