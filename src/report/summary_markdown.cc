@@ -55,8 +55,7 @@ std::string data_set_text(const ReportEntry& entry) {
   std::string text =
       "## " + escaped(data.name) + "\n\n**Provenance: " + std::string(to_string(data.metadata.provenance)) + ".**";
   if (const auto notice = notice_on(data)) text += " " + std::string(*notice);
-  text += "\n\n" + row_counts(data) + (data.has_loads ? "; mode III " + mode_III_text(data.metadata) : "") + ".\n\n" +
-          answer_text(entry.data->answer, data);
+  text += "\n\n" + row_counts(data) + ".\n\n" + answer_text(entry.data->answer, data);
   for (const std::string& sentence : findings(result)) text += marked(sentence) + "\n";
   if (!findings(result).empty()) text += "\n";
   const FitTable table = fit_table(result);

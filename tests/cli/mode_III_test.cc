@@ -163,8 +163,8 @@ TEST(ModeIIIOfCommands, EveryTextOfAFitNamesIt) {
             std::string::npos);
   const std::string page = folder.path("page");
   out_of({"report", data, "--models=c", "--mode_III=averaged", "--out=" + page});
-  EXPECT_NE(content_of(page + "/report.html").find("Mode III: averaged (kappa = 1.5"), std::string::npos);
-  EXPECT_NE(content_of(page + "/summary.md").find("mode III averaged"), std::string::npos);
+  EXPECT_NE(content_of(page + "/report.html").find("Mode III at the edge: averaged (kappa = 1.5"), std::string::npos);
+  EXPECT_NE(content_of(page + "/summary.md").find("Mode III at the edge: averaged"), std::string::npos);
   EXPECT_NE(content_of(page + "/results.json").find("\"mode_III\": \"averaged\""), std::string::npos);
 }
 

@@ -33,7 +33,6 @@ std::string source_of_data(const Dataset& data) {
   std::string text = element("p", counts + ". File: " + text_element("code", data.shown_path()), {{"class", "soft"}});
   if (!data.metadata.source.empty()) text += text_element("p", "Source: " + data.metadata.source, "soft");
   if (!data.metadata.note.empty()) text += text_element("p", data.metadata.note, "soft");
-  if (data.has_loads) text += text_element("p", "Mode III: " + mode_III_text(data.metadata) + ".", "soft");
   return text;
 }
 
