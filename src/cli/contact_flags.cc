@@ -33,6 +33,7 @@ OutputUnits output_units() {
   require_whole_modulus(metadata, {}, overrides);
   OutputUnits units;
   units.shear_weight = metadata.shear_weight();
+  units.stated = metadata;
   const auto modulus = metadata.plane_strain_modulus();
   const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();
   if (is_set("loads")) throw UsageError("flag '--loads' is of a data file; a contact by itself has one --load");
@@ -57,7 +58,8 @@ OutputUnits output_units() {
           contact.displacement_unit() * metre,
           *force,
           contact,
-          units.shear_weight};
+          units.shear_weight,
+          metadata};
 }
 
 std::string OutputUnits::headings(std::string_view names) const {

@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "base/units.h"
 #include "cli/flags.h"
+#include "dataset/metadata.h"
 #include "mechanics/contact.h"
 #include "mechanics/contact_model.h"
 
@@ -20,6 +21,7 @@ struct OutputUnits {
   Unit force_unit{};               // for numbers given without a unit
   std::optional<Contact> contact;  // null if dimensionless
   double shear_weight = 1;         // the models' T over that of the experiment (Metadata::shear_weight)
+  Metadata stated{};
 
   double shear_scale() const { return force_scale / shear_weight; }        // of the models' T
   double slip_scale() const { return displacement_scale / shear_weight; }  // of the u that they give for it

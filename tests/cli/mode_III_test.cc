@@ -118,6 +118,19 @@ TEST(ModeIIIOfCommands, FoldsAreInTrueShears) {
       EXPECT_NEAR(averaged[i][name].get<double>(), half[i][name].get<double>(), 1e-11) << name;
 }
 
+TEST(ModeIIIOfCommands, FoldsNameIt) {
+  const Words command{"instability", "--model=c", "--lambda=0.2", "--load=3"};
+  const Words averaged{"--mode_III=averaged", "--poisson_ratio=0.3"};
+  EXPECT_NE(out_of(with(command, averaged)).find(", mode III averaged (kappa = 1.21429 at nu = 0.3)"),
+            std::string::npos);
+  EXPECT_EQ(out_of(command).find("mode III"), std::string::npos);
+  const auto json = [&](const Words& more) {
+    return nlohmann::json::parse(out_of(with(with(command, {"--format=json"}), more)));
+  };
+  EXPECT_EQ(json(averaged)["mode_III"], "averaged");
+  EXPECT_EQ(json({})["mode_III"], "half");
+}
+
 TEST(ModeIIIOfCommands, PoissonsRatioOfAContactEnters) {
   const Words command{"predict", "--model=b", "--load=3", "--shear=0,2,5", "--lambda=0.4"};
   const auto at = [&](const Words& more) { return columns_of(with(command, more)).at("A"); };
