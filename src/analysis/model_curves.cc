@@ -48,7 +48,8 @@ ModelMap map_of(const Dataset& data, const ContactModel& model, const FittedPara
   map.frame.high = info.upper;
   map.frame.logarithmic = *lambda.value > 0 && *lambda.value < 0.05 * info.upper;
   map.frame.low = map.frame.logarithmic ? std::max(0.1 * *lambda.value, 1e-6) : info.lower;
-  const std::optional<double> tau0 = stated_strength(data);
+  std::optional<double> tau0 = stated_strength(data);
+  if (tau0) *tau0 *= data.metadata.shear_weight();  // in shears of the model
   const ParameterValues fitted{*lambda.value};
   RegimeMap regimes(model, fitted, map.frame, tau0);
   while (regimes.add_line()) continue;

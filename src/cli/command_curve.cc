@@ -34,14 +34,15 @@ void print_at_load(const ContactModel& model, const ParameterValues& p, const Ou
 
   std::cout << units.headings("phi,P,T,y,a,A,u,psi,f,stable") << '\n';
   for (const CurvePoint& q : points) {
-    print_numbers({q.phi, load.shown, q.T * units.force_scale, q.y * units.force_scale, q.a * units.length_scale,
-                   q.A * units.area_scale, q.u * units.displacement_scale, q.psi, q.f});
+    print_numbers({q.phi, load.shown, q.T * units.shear_scale(), q.y * units.force_scale, q.a * units.length_scale,
+                   q.A * units.area_scale, q.u * units.slip_scale(), q.psi, q.f});
     std::cout << (q.dT >= 0 ? ",1\n" : ",0\n");
   }
 }
 
 void print_at_shear(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
-  const Load shear = load_from("shear", units);
+  Load shear = load_from("shear", units);
+  shear.dimensionless *= units.shear_weight;
   if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
     throw UsageError("flag '--shear': T must lie between 0 and 1e150");
   require_contact(model, p);

@@ -153,7 +153,8 @@ int run_design(const Arguments& arguments) {
   if (FLAGS_format == "csv") return print_as_csv(candidates), kFine;
   const std::string name = first_parameter(plan);
   std::cout << "[[Plan]]\n    model " << plan.model << ", " << name << " = " << shortest(plan.parameters[0])
-            << "; runs of " << plan.points << " points up to " << rounded(100 * plan.reach, 3) << "% of the jump\n";
+            << "; runs of " << plan.points << " points up to " << rounded(100 * plan.reach, 3)
+            << "% of the jump; mode III " << mode_III_text(plan.constants) << '\n';
   if (!plan.loads.empty()) {
     std::cout << "    loads " << loads_text(plan.loads) << '\n';
     print_expectation(plan, expect(plan, rivals));

@@ -31,6 +31,7 @@ InstabilityReport of_flags(const ContactModel& model) {
   const OutputUnits shown = output_units();
   const Load load = load_from("load", shown);
   InstabilityReport report{std::string(model.info().key), {}};
+  report.stated = shown.stated;
   if (shown.contact)
     report.units = {shown.force,
                     shown.area(),
@@ -45,8 +46,11 @@ InstabilityReport of_flags(const ContactModel& model) {
   InstabilityReport::AtLoad at{load.shown, {}};
   for (const Control& control : controls(shown.contact)) {
     if (const auto problem = model.problem(p, load.dimensionless); !problem.empty()) throw UsageError(problem);
-    for (const Fold& fold : model.folds(p, load.dimensionless, control))
+    for (Fold fold : model.folds(p, load.dimensionless, control)) {
+      fold.T /= shown.shear_weight;
+      fold.u /= shown.shear_weight;
       at.predicted.folds.push_back(as_prediction(fold));
+    }
   }
   report.loads.push_back(std::move(at));
   return report;
@@ -66,6 +70,7 @@ InstabilityReport of_fit(const FittedContact& fitted) {
                     data.contact->displacement_unit() * 1e6,
                     data.contact->stiffness_unit()};
   report.shear_strength = stated_strength(data);
+  report.stated = data.metadata;
   for (const FittedParameter& one : fit.parameters)
     if (one.unit.empty() && one.value && !one.prior) report.parameters.push_back({one.name, {one.value, one.stderr_}});
   for (const Load& load : fitted.loads())

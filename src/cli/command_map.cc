@@ -35,10 +35,11 @@ Range load_range(const OutputUnits& units) {
   throw must("load_range", "be two rising loads from " + shown(kPullOff) + " to " + shown(kLargest));
 }
 
-/// tau0 in units of E*/xi.
+/// tau0 in units of E*/xi, times the weight of shears.
 std::optional<double> strength(const OutputUnits& units) {
   if (!is_set("tau0")) return std::nullopt;
-  return positive_quantity("tau0", "MPa", units.contact ? std::optional(units.contact->stress_unit()) : std::nullopt);
+  return units.shear_weight *
+         positive_quantity("tau0", "MPa", units.contact ? std::optional(units.contact->stress_unit()) : std::nullopt);
 }
 
 Range range_from(const std::string& flag, double lowest, double highest) {
@@ -68,9 +69,9 @@ void print_grid(const ContactModel& model, const Range& loads, ParameterValues p
         continue;
       }
       std::cout << static_cast<int>(report->regime) << ',' << static_cast<int>(report->fracture) << ','
-                << finite_or_empty(report->T_end * units.force_scale) << ','
+                << finite_or_empty(report->T_end * units.shear_scale()) << ','
                 << (report->jumps_to ? to_string(*report->jumps_to) : "") << ','
-                << (report->T_strength ? shortest(*report->T_strength * units.force_scale) : "") << '\n';
+                << (report->T_strength ? shortest(*report->T_strength * units.shear_scale()) : "") << '\n';
     }
 }
 

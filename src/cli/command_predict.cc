@@ -20,13 +20,14 @@ namespace {
 
 struct Shears {
   std::vector<Load> shown;
-  std::vector<double> T{};
+  std::vector<double> T{};  // in the equations of the models
 
   explicit Shears(const OutputUnits& units) : shown(loads_from("shear", units)) {
     for (const Load& shear : shown) {
-      if (!(shear.dimensionless >= 0 && shear.dimensionless <= kLargestLoad))
+      const double weighted = units.shear_weight * shear.dimensionless;
+      if (!(weighted >= 0 && weighted <= kLargestLoad))
         throw UsageError("flag '--shear': every T must lie between 0 and 1e150");
-      T.push_back(shear.dimensionless);
+      T.push_back(weighted);
     }
   }
 };
@@ -37,7 +38,7 @@ void print_state(const OutputUnits& units, std::optional<double> P, double T, Eq
   std::cout << (P ? shortest(*P) : "") << ',' << shortest(T) << ',';
   if (status == EquilibriumStatus::ok)
     print_numbers({state.y * units.force_scale, state.a * units.length_scale, state.A * units.area_scale,
-                   state.u * units.displacement_scale, state.psi, state.f});
+                   state.u * units.slip_scale(), state.psi, state.f});
   else
     std::cout << ",,,,,";
   std::cout << ',' << to_string(status) << '\n';
@@ -95,7 +96,7 @@ void predict_under_approach(const ContactModel& model) {
   if (!found.end) return;
   const std::string unit = units.force.empty() ? "" : " " + units.force;
   warn((found.end->fold ? "the contact jumps at T = " : "the edge load falls to 0 at T = ") +
-       rounded(found.end->T * units.force_scale, 6) + unit + ", P = " + rounded(found.end->P * units.force_scale, 6) +
+       rounded(found.end->T * units.shear_scale(), 6) + unit + ", P = " + rounded(found.end->P * units.force_scale, 6) +
        unit);
 }
 

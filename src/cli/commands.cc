@@ -67,7 +67,7 @@ std::span<const Command> commands() {
        "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--axis=NAME] [--tau0=S|--boundaries]",
        "Prints the regime of a sheared contact over normal load and lambda, or another parameter, as CSV.",
        with_law_flags({"model", "load_range", "lambda_range", "axis", "parameters", "grid", "tau0", "boundaries",
-                       "units", "radius", "modulus", "youngs_modulus", "poisson_ratio", "toughness"})},
+                       "units", "radius", "modulus", "youngs_modulus", "poisson_ratio", "toughness", "mode_III"})},
       {"sahli",
        run_sahli,
        "sahli DATA.csv [--upto=0.5] [--model=c] [--format=csv] [flags]",

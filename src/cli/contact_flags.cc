@@ -28,12 +28,17 @@ OutputUnits output_units(bool of_ellipse) {
   Overrides overrides = metadata_overrides(others);
   if (is_set("definition")) overrides.emplace_back("definition", value_of("definition"));
   const Metadata metadata = stated_by(overrides);
+  if (of_ellipse && metadata.mode_III != ModeIII::unstated)
+    throw UsageError("--mode_III is about circles; the equations of an ellipse have modes II and III where they act");
   require_whole_modulus(metadata, {}, overrides);
+  OutputUnits units;
+  units.shear_weight = metadata.shear_weight();
+  units.stated = metadata;
   const auto modulus = metadata.plane_strain_modulus();
   const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();
   if (is_set("loads")) throw UsageError("flag '--loads' is of a data file; a contact by itself has one --load");
   if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
-  if (given == 0) return {};
+  if (given == 0) return units;
   if (given < 3) throw UsageError("a dimensional prediction needs all of --radius, --modulus and --toughness");
   const std::vector<std::string> names = list_from("units");
   const auto force = names.size() == 2 ? parse_unit(names[0]) : std::nullopt;
@@ -52,7 +57,9 @@ OutputUnits output_units(bool of_ellipse) {
           contact.area_unit() * metre * metre,
           contact.displacement_unit() * metre,
           *force,
-          contact};
+          contact,
+          units.shear_weight,
+          metadata};
 }
 
 std::string OutputUnits::headings(std::string_view names) const {

@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "base/units.h"
 #include "cli/flags.h"
+#include "dataset/metadata.h"
 #include "mechanics/contact.h"
 #include "mechanics/contact_model.h"
 
@@ -19,6 +20,11 @@ struct OutputUnits {
   double force_scale = 1, length_scale = 1, area_scale = 1, displacement_scale = 1;
   Unit force_unit{};               // for numbers given without a unit
   std::optional<Contact> contact;  // null if dimensionless
+  double shear_weight = 1;         // the models' T over that of the experiment (Metadata::shear_weight)
+  Metadata stated{};
+
+  double shear_scale() const { return force_scale / shear_weight; }        // of the models' T
+  double slip_scale() const { return displacement_scale / shear_weight; }  // of the u that they give for it
 
   std::string area() const { return length.empty() ? "" : length + "^2"; }
   /// "P [mN],A [mm^2],stable" for "P,A,stable": adds units to P, T, T_*, y, a, u, A and psi.
@@ -31,8 +37,8 @@ void print_numbers(std::initializer_list<double> numbers);
 /// Whether --shape=ellipse is given; as a number --shape is a constant of the data.
 bool is_elliptic();
 
-/// Made from --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness and --units. Throws UsageError
-/// if only some of them are given. `of_ellipse`: --shape=ellipse and --poisson_ratio alone are accepted.
+/// Made from --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness, --units and --mode_III. Throws
+/// UsageError if only some of the first are given. `of_ellipse`: --shape=ellipse and --poisson_ratio alone are accepted.
 OutputUnits output_units(bool of_ellipse = false);
 
 struct Load {

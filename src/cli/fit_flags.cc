@@ -18,14 +18,18 @@ DEFINE_bool(pool, false, "treat the files as the runs of one data set");
 namespace mixity::cli {
 namespace {
 
-/// Overrides constants. modulus and youngs_modulus replace each other; modulus also replaces poisson_ratio.
+/// Overrides constants. modulus and youngs_modulus replace each other; modulus also replaces poisson_ratio, unless mode
+/// III is averaged, which needs it.
 void replace(Overrides& constants, const Overrides& with) {
+  const auto averages = [](const auto& one) { return one.first == "mode_III" && one.second == "averaged"; };
+  const bool averaged =
+      std::any_of(constants.begin(), constants.end(), averages) || std::any_of(with.begin(), with.end(), averages);
   for (const auto& one_of_them : with) {
     const std::string& name = one_of_them.first;  // clang 14 captures no structured binding
     const bool both = name == "modulus";
     const std::string_view other = both ? "youngs_modulus" : name == "youngs_modulus" ? "modulus" : "";
     std::erase_if(constants, [&](const auto& one) {
-      return one.first == name || one.first == other || (both && one.first == "poisson_ratio");
+      return one.first == name || one.first == other || (both && !averaged && one.first == "poisson_ratio");
     });
     constants.push_back(one_of_them);
   }

@@ -31,7 +31,12 @@ enum Constant : std::size_t {
 inline constexpr std::array<std::string_view, 12> kConstantNames{
     "toughness",    "modulus",     "radius",        "area_scale",      "force_gain", "load_offset",
     "shear_offset", "area_offset", "modulus_drift", "toughness_drift", "shape",      "hysteresis"};
-using Constants = std::array<double, kConstantNames.size()>;
+/// Values of all constants, and the convention of mode III that holds for the data, which is never fitted: the shear in
+/// the equations of a contact is shear_weight times that of the experiment (Metadata::shear_weight). Values are
+/// compared without it.
+struct Constants : std::array<double, kConstantNames.size()> {
+  double shear_weight = 1;
+};
 inline constexpr std::array<Constant, kConstantNames.size()> kAllConstants{
     kToughness,   kModulus,    kRadius,       kAreaScale,      kForceGain, kLoadOffset,
     kShearOffset, kAreaOffset, kModulusDrift, kToughnessDrift, kShape,     kHysteresis};
@@ -75,9 +80,9 @@ struct PointPlace {
 };
 
 /// Converts measured values to the dimensionless units of the contact with these constants: forces by 1/(R G), areas by
-/// (E R/G)^(2/3)/R^2, displacements by (E R/G)^(2/3)/R.
+/// (E R/G)^(2/3)/R^2, displacements by (E R/G)^(2/3)/R; shears and their displacements also by shear_weight.
 struct ConstantsScale {
-  double force, area, displacement, load_offset, shear_offset, area_offset;
+  double force, shear_force, area, displacement, load_offset, shear_offset, area_offset;
 
   explicit ConstantsScale(const Constants& c, const PointPlace& place = {})
       : load_offset(c[kLoadOffset] + place.load_offset),
@@ -86,16 +91,17 @@ struct ConstantsScale {
     const double modulus = c[kModulus] + place.order * c[kModulusDrift],
                  toughness = c[kToughness] + place.order * c[kToughnessDrift] + (place.unsheared ? c[kHysteresis] : 0);
     force = std::exp(c[kForceGain] - toughness - c[kRadius] + place.log_force);
+    shear_force = c.shear_weight * force;
     area = std::exp(2.0 / 3 * (modulus - toughness - 2 * c[kRadius]) + c[kAreaScale] - 2 * place.stretch * c[kShape] +
                     place.log_area);
-    displacement = std::exp(2.0 / 3 * (modulus - toughness + c[kRadius]) - c[kRadius]);
+    displacement = c.shear_weight * std::exp(2.0 / 3 * (modulus - toughness + c[kRadius]) - c[kRadius]);
   }
 
   double load(double P) const { return (P + load_offset) * force; }
-  double shear(double T) const { return (T + shear_offset) * force; }
+  double shear(double T) const { return (T + shear_offset) * shear_force; }
   double true_area(double A) const { return (A + area_offset) * area; }
   double measured_load(double P) const { return P / force - load_offset; }
-  double measured_shear(double T) const { return T / force - shear_offset; }
+  double measured_shear(double T) const { return T / shear_force - shear_offset; }
   double measured_area(double A) const { return A / area - area_offset; }
 };
 

@@ -141,6 +141,7 @@ double Dataset::offset_unit(Constant offset) const {
 Constants Dataset::stated_constants() const {
   Constants stated{};
   if (!has_loads) return stated;
+  stated.shear_weight = metadata.shear_weight();
   if (metadata.area_scale) stated[kAreaScale] = std::log(*metadata.area_scale);
   if (metadata.force_gain) stated[kForceGain] = std::log(*metadata.force_gain);
   for (const auto& [constant, value] :
@@ -196,7 +197,9 @@ PointPlace PointPlaces::at(std::size_t i, double T) const {
 }
 
 Dataset corrected(Dataset data) {
-  const ConstantsScale by(data.stated_constants());
+  Constants readings = data.stated_constants();
+  readings.shear_weight = 1;  // of the models, not of the readings
+  const ConstantsScale by(readings);
   for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i] = data.corrected(i, by);
   for (double& load : data.curve_loads) load = by.load(load);
   Metadata& metadata = data.metadata;

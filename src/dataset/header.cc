@@ -68,7 +68,9 @@ const Column* toughness_column(const Columns& columns) {
 }
 
 void add_notes(const Columns& columns, Dataset& data) {
-  for (const std::string_view name : {"toughness_II", "shear_strength"})
+  // poisson_ratio beside youngs_modulus has its part in the error of E*
+  const std::string_view alone = data.metadata.youngs_modulus ? std::string_view() : "poisson_ratio";
+  for (const std::string_view name : {std::string_view("toughness_II"), std::string_view("shear_strength"), alone})
     if (data.metadata.standard_error(name) > 0)
       data.notes.push_back("the standard error of " + std::string(name) +
                            " affects no result: its value is taken as exact");
@@ -167,6 +169,14 @@ void require_units(const Columns& columns, const std::vector<Heading>& headings,
                    std::string("the columns have no units, but the data state ") + constants +
                        "; say the units, such as " + Remedy::set(arrays ? "units" : "columns", units) +
                        ", or leave out what is stated if the columns are dimensionless");
+}
+
+void require_shear(const Columns& columns, const std::vector<Heading>& headings, const Dataset& data) {
+  if (columns.holds_loads() || data.metadata.mode_III == ModeIII::unstated) return;
+  const Column* const kind = toughness_column(columns);
+  throw InputError(data.path, headings.at(kind ? kind->index : 0).place,
+                   "mode_III is about tangential loads (columns P, T, A); a toughness or an energy of a mode holds a "
+                   "convention already: leave mode_III out");
 }
 
 PointUnits take_header(const Columns& columns, const std::string& metadata_path, Dataset& data) {

@@ -14,7 +14,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 30> kFields{{
+constexpr std::array<MetadataField, 31> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -46,6 +46,10 @@ constexpr std::array<MetadataField, 30> kFields{{
      &Metadata::shape, dimension::none, "0 +/- 0.01"},
     {"hysteresis", "by which share the toughness without shear may differ: \"0 +/- 0.1\"", true, &Metadata::hysteresis,
      dimension::none, "0 +/- 0.1"},
+    {"mode_III",
+     "mode III at the edge of the contact: half, the same all round (default), or averaged, as in Johnson (1996) and "
+     "Waters & Guduru (2010); with poisson_ratio, else 0.5",
+     true},
     {"provenance", "measured, digitised or reconstructed", true},
     {"source", "where the data come from", true},
     {"note", "a note on the data", true},
@@ -74,6 +78,8 @@ constexpr std::array<MetadataField, 30> kFields{{
 }};
 
 constexpr std::array<std::string_view, 4> kProvenances{"unstated", "measured", "digitised", "reconstructed"};
+
+constexpr double kIncompressible = 0.5;  // Poisson's ratio of rubber, if none is stated
 
 std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
 
@@ -163,6 +169,27 @@ std::string_view to_string(Provenance provenance) {
   return kProvenances[i < kProvenances.size() ? i : 0];
 }
 
+std::string_view to_string(ModeIII convention) { return convention == ModeIII::averaged ? "averaged" : "half"; }
+
+std::string mode_III_text(const Metadata& metadata) {
+  std::string text(to_string(metadata.mode_III));
+  if (metadata.mode_III != ModeIII::averaged) return text;
+  const bool stated = metadata.poisson_ratio.has_value();
+  return text + " (kappa = " + rounded(metadata.kappa(), 6) +
+         " at nu = " + rounded(metadata.poisson_ratio.value_or(kIncompressible), 6) +
+         (!stated                                        ? ", not stated)"
+          : metadata.standard_error("poisson_ratio") > 0 ? ", taken as exact)"
+                                                         : ")");
+}
+
+double Metadata::kappa() const {
+  if (mode_III != ModeIII::averaged) return 1;
+  const double nu = poisson_ratio.value_or(kIncompressible);
+  return (2 - nu) / (2 - 2 * nu);
+}
+
+double Metadata::shear_weight() const { return std::sqrt(kappa()); }
+
 std::optional<double> Metadata::plane_strain_modulus() const {
   if (modulus) return modulus;
   if (youngs_modulus && poisson_ratio) return mixity::plane_strain_modulus(*youngs_modulus, *poisson_ratio);
@@ -190,6 +217,11 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     for (const auto one : {Provenance::measured, Provenance::digitised, Provenance::reconstructed})
       if (text == to_string(one)) return metadata.provenance = one, "";
     return given + "it must be measured, digitised or reconstructed";
+  }
+  if (name == "mode_III") {
+    for (const auto one : {ModeIII::half, ModeIII::averaged})
+      if (text == to_string(one)) return metadata.mode_III = one, "";
+    return given + "it must be half or averaged";
   }
   if (name == "columns") return read_mapping(text, metadata.columns);
   if (name == "sheet") return metadata.sheet = text, "";
@@ -263,6 +295,11 @@ std::string add_constants(const Metadata& more, Metadata& constants) {
     before = value;
     if (more.standard_error(name) > 0) constants.standard_errors[name] = more.standard_error(name);
   }
+  if (more.mode_III != ModeIII::unstated) {
+    if (constants.mode_III != ModeIII::unstated && constants.mode_III != more.mode_III)
+      return "states another mode_III than a file before it; constants are those of the whole experiment";
+    constants.mode_III = more.mode_III;
+  }
   constants.provenance = std::max(constants.provenance, more.provenance);
   if (constants.source.empty()) constants.source = more.source;
   if (constants.note.empty()) constants.note = more.note;
@@ -277,6 +314,7 @@ std::optional<std::string> stated_text(const Metadata& metadata, std::string_vie
     return value ? std::optional(number_text(*field, *value, metadata.standard_error(name))) : std::nullopt;
   }
   if (name == "provenance" && metadata.provenance != Provenance::unstated) text = to_string(metadata.provenance);
+  if (name == "mode_III" && metadata.mode_III != ModeIII::unstated) text = to_string(metadata.mode_III);
   if (name == "decimal" && metadata.decimal != 0) text = metadata.decimal;
   if (name == "columns")
     for (const auto& [quantity, heading] : metadata.columns)
@@ -292,7 +330,7 @@ std::optional<std::string> stated_text(const Metadata& metadata, std::string_vie
 Overrides constants_as_stated(const Metadata& metadata) {
   Overrides list;
   for (const MetadataField& field : kFields)
-    if (field.number && field.of_experiment)
+    if ((field.number && field.of_experiment) || field.name == "mode_III")
       if (const auto text = stated_text(metadata, field.name)) list.emplace_back(field.name, *text);
   return list;
 }
@@ -313,6 +351,7 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   if (metadata.modulus && metadata.youngs_modulus)
     throw InputError(path, "states both modulus and youngs_modulus; state one");
   if (metadata.youngs_modulus.has_value() == metadata.poisson_ratio.has_value()) return;
+  if (metadata.poisson_ratio && metadata.mode_III == ModeIII::averaged) return;
   const std::string_view given = metadata.youngs_modulus ? "youngs_modulus" : "poisson_ratio",
                          missing = metadata.youngs_modulus ? "poisson_ratio" : "youngs_modulus";
   for (const auto& [name, text] : overrides)

@@ -21,6 +21,13 @@ struct ColumnRules;
 enum class Provenance { unstated, measured, digitised, reconstructed };
 std::string_view to_string(Provenance provenance);
 
+/// How mode III enters the energy release rate at the edge of a circular contact. half: weighted by 1/2, so that the
+/// rate is the same all round the edge (Papangelo & Ciavarella 2019). averaged: its average over the edge (Johnson
+/// 1996, Waters & Guduru 2010), in which T^2 counts kappa = (2 - nu)/(2 - 2 nu) times as much.
+enum class ModeIII { unstated, half, averaged };
+/// "half" where it is unstated.
+std::string_view to_string(ModeIII convention);
+
 /// Shown in every output of reconstructed data.
 inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a model, not measured. Recovering lambda from them tests the "
@@ -47,6 +54,7 @@ struct Metadata {
   std::optional<double> table;                                              // its number in the file, from 1
   std::map<std::string, double, std::less<>> standard_errors;               // by the name of a constant, in its unit
   Provenance provenance = Provenance::unstated;
+  ModeIII mode_III = ModeIII::unstated;
   std::string source, note;
   // How to read the file.
   std::map<std::string, std::string> columns;  // quantity -> heading
@@ -58,6 +66,10 @@ struct Metadata {
 
   /// modulus, or E* from youngs_modulus and poisson_ratio; null if neither is stated.
   std::optional<double> plane_strain_modulus() const;
+  /// What mode_III multiplies T^2 by, with nu = 1/2 if none is stated; 1 unless it is averaged.
+  double kappa() const;
+  /// sqrt(kappa): T times this is the shear in the equations of the models.
+  double shear_weight() const;
   /// The stated standard error; 0 (exact) if none is stated.
   double standard_error(std::string_view name) const;
   /// Relative error of plane_strain_modulus(): of modulus, or propagated from youngs_modulus and poisson_ratio.
@@ -123,6 +135,9 @@ Metadata stated_by(const Overrides& overrides);
 /// The value of a field as a text that set_field accepts; null if it is not stated.
 std::optional<std::string> stated_text(const Metadata& metadata, std::string_view name);
 
+/// "half", or "averaged (kappa = 1.5 at nu = 0.5, not stated)".
+std::string mode_III_text(const Metadata& metadata);
+
 /// Adds the constants stated beside one file to those of other files of the same experiment. Returns the contradiction,
 /// or an empty string. If provenances differ, keeps the less direct one.
 std::string add_constants(const Metadata& more, Metadata& constants);
@@ -132,7 +147,8 @@ Overrides constants_as_stated(const Metadata& metadata);
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
 
 /// Throws InputError if the constants that give the modulus are contradictory or incomplete. The message names the
-/// override if that is one half of a pair, otherwise the file at `path`.
+/// override if that is one half of a pair, otherwise the file at `path`. Where mode III is averaged, poisson_ratio may
+/// stand by itself.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
 /// The number of the table to be read; null if none is stated.

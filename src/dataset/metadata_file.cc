@@ -62,9 +62,13 @@ Metadata with_definition(Metadata own, const Overrides& overrides, Inputs& input
   inputs.read(own.definition);  // throws if there is none
   const Metadata common = read_metadata(own.definition, inputs);
   if (!common.definition.empty()) throw InputError(own.definition, "names another definition; one is read");
+  ModeIII mode_III = own.mode_III == ModeIII::unstated ? common.mode_III : own.mode_III;
+  for (const auto& [name, text] : overrides)
+    if (name == "mode_III") mode_III = text == to_string(ModeIII::averaged) ? ModeIII::averaged : ModeIII::half;
+  const bool pair = mode_III != ModeIII::averaged;    // whether poisson_ratio is of youngs_modulus alone
   const auto replaced = [&](std::string_view name) {  // by another field
-    if (name == "modulus") return own.youngs_modulus || own.poisson_ratio;
-    if (name == "youngs_modulus" || name == "poisson_ratio") return own.modulus.has_value();
+    if (name == "modulus") return own.youngs_modulus || (pair && own.poisson_ratio);
+    if (name == "youngs_modulus" || (pair && name == "poisson_ratio")) return own.modulus.has_value();
     if (name == "load") return !own.load_from.empty();
     return name == "load_from" && own.load.has_value();
   };

@@ -78,6 +78,7 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
     data.notes.emplace_back(kLoadNotUsed);
   }
   require_units(columns_, headings, load_.has_value(), metadata_path, data);
+  require_shear(columns_, headings, data);
   units_ = take_header(columns_, metadata_path, data);
 }
 

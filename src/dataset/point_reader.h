@@ -27,6 +27,9 @@ std::optional<double> stated_load(const Dataset& data);
 void require_units(const Columns& columns, const std::vector<Heading>& headings, bool load_stated,
                    const std::string& metadata_path, const Dataset& data);
 
+/// Throws InputError if the convention of mode III is stated for data without loads.
+void require_shear(const Columns& columns, const std::vector<Heading>& headings, const Dataset& data);
+
 /// Sets what the header of a table and the constants determine: the kind of data, the contact, the display units, the
 /// ignored columns, and notes. Throws InputError if units are out of range, MissingConstants if needed constants are
 /// not stated.

@@ -38,7 +38,7 @@ struct ResidualSlopes {
       case kLoadOffset:
         return by_P * scale.force;
       case kShearOffset:
-        return by_T * scale.force;
+        return by_T * scale.shear_force;
       case kAreaOffset:
         break;
       case kModulusDrift:

@@ -302,7 +302,7 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
       P[i] = scale.load(from(0)[i]);
       T[i] = scale.shear(from(1)[i]);
       A[i] = scale.true_area(from(2)[i]);
-      sigma_T[i] = scale.force * from(3)[i];
+      sigma_T[i] = scale.shear_force * from(3)[i];
       sigma_A[i] = scale.area * from(4)[i];
     }
     return;
@@ -324,7 +324,7 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
     P[i] = scale.load(P[i]);
     T[i] = scale.shear(T[i]);
     A[i] = scale.true_area(A[i]);
-    sigma_T[i] *= scale.force;
+    sigma_T[i] *= scale.shear_force;
     sigma_A[i] *= scale.area;
   }
 }
@@ -368,7 +368,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     if (wanted.nearest) {
       const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
       const double load_A = out.dA[i] * sigma_A[i], size = std::hypot(load_T, load_A);
-      wanted.nearest->T[to(i)] = out.place_T[i] / scale.force - scale.shear_offset;
+      wanted.nearest->T[to(i)] = scale.measured_shear(out.place_T[i]);
       wanted.nearest->A[to(i)] = scale.measured_area(out.place_A[i]);
       wanted.nearest->load_T[to(i)] = load_T / size;
       wanted.nearest->load_A[to(i)] = load_A / size;

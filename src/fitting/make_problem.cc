@@ -169,7 +169,7 @@ std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const Prep
       by_A[i] = (1 + growth) * by_A[i] + growth * y_A * (2 * y / square - 1 / (y + P[i]));
     }
     const ConstantsScale constants = scales.of(used[i]);
-    found.push_back(std::hypot(by_T[i] * constants.force * prepared.errors->T[used[i]],
+    found.push_back(std::hypot(by_T[i] * constants.shear_force * prepared.errors->T[used[i]],
                                by_A[i] * constants.area * prepared.errors->A[used[i]]));
   }
   return found;

@@ -57,6 +57,10 @@ SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, 
   const auto predicting = ContactModel::find(model);
   SahliResult result;
   const auto runs = points_by_curve(data);
+  const auto predicted = [&](double A0) {
+    const auto alpha = predicting ? predicting->shear_sensitivity(parameters, A0) : std::nullopt;
+    return alpha ? std::optional(*alpha * data.metadata.kappa()) : std::nullopt;
+  };
   for (std::size_t c = 0; c < runs.size(); ++c) {
     double largest = 0;
     for (const std::size_t i : runs[c]) largest = std::max(largest, data.points[i].shear());
@@ -73,8 +77,7 @@ SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, 
       continue;
     }
     result.runs.push_back({data.curves[c], data.curve_loads[c], squares.size(), line->intercept, -line->slope,
-                           line->intercept_stderr, line->slope_stderr,
-                           predicting ? predicting->shear_sensitivity(parameters, line->intercept) : std::nullopt});
+                           line->intercept_stderr, line->slope_stderr, predicted(line->intercept)});
   }
   result.power_law = fit_power_law(result.runs, false);
   result.predicted_power_law = fit_power_law(result.runs, true);

@@ -97,6 +97,7 @@ std::vector<std::pair<std::string, std::string>> shown_constants(const Dataset& 
     const double value = one.value * shown.factor, error = one.standard_error * shown.factor;
     list.emplace_back(one.label, (error > 0 ? with_error(value, error) : rounded(value, 6)) + unit_text(shown.unit));
   }
+  if (data.has_loads) list.emplace_back("mode III", mode_III_text(data.metadata));
   return list;
 }
 

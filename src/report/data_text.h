@@ -21,7 +21,8 @@ struct StatedConstant {
 std::vector<StatedConstant> stated_constants(const Metadata& metadata);
 
 /// Label and value of each constant: {"modulus E*", "2.13 +/- 0.11 MPa"}. Units suit the size of the value; offsets are
-/// in those of the file, and left out if the data have no loads or no dimensions.
+/// in those of the file, and left out if the data have no loads or no dimensions. With loads, the last is the
+/// convention of mode III.
 std::vector<std::pair<std::string, std::string>> shown_constants(const Dataset& data);
 
 /// The first lines: the heading, the name and the path, without a line end.

@@ -21,7 +21,7 @@ constexpr std::string_view kColumns =
     "paper_r2=paper/r2 prior_mean=own/prior/mean prior_standard_error=own/prior/standard_error variance_share pull "
     "log_evidence=posterior/log_evidence posterior_mean=posterior/mean "
     "posterior_standard_deviation=posterior/standard_deviation credible_low=posterior/low "
-    "credible_high=posterior/high";
+    "credible_high=posterior/high mode_III";
 
 /// The fields of the fit (`row`), those of the parameter as "own", and those of the data set and the error budget.
 Json row_of(const Dataset& data, const FitResult& fit, const FittedParameter& parameter, Json row) {
@@ -31,6 +31,7 @@ Json row_of(const Dataset& data, const FitResult& fit, const FittedParameter& pa
     if (part.constant == parameter.name) std::tie(share, pull) = std::tuple(part.share, part.pull);
   row.update({{"dataset", data.name},
               {"provenance", to_string(data.metadata.provenance)},
+              {"mode_III", data.has_loads ? Json(to_string(data.metadata.mode_III)) : Json()},
               {"notice", json_of(notice_on(data))},
               {"area_unit", data.display.area},
               {"parameter", parameter.name},

@@ -154,6 +154,12 @@ void describe(Fields<Analysis>& field) {
   field("used", "number of usable rows", [](auto& result) { return result.data.points.size(); });
   field("excluded", "the other rows", [](auto& result) { return lines_of(result.data.excluded, &result.data); });
   field("constants", "constants that were stated", [](auto& result) { return stated_constants(result.data.metadata); });
+  field("mode_III", "half: mode III is weighted by 1/2; averaged: over the edge; null without loads", [](auto& result) {
+    return result.data.has_loads ? std::optional(to_string(result.data.metadata.mode_III)) : std::nullopt;
+  });
+  field(
+      "kappa", "what T^2 is multiplied by: 1 if mode_III is half, (2 - nu)/(2 - 2 nu) if it is averaged",
+      [](auto& result) { return result.data.has_loads ? std::optional(result.data.metadata.kappa()) : std::nullopt; });
   field("unsheared", "test of the areas without shear against JKR; null if there are none", &Analysis::unsheared);
   field("fits", "a fit for each model", R"({"minItems": 1})", &Analysis::fits);
   field("comparison", "comparison of the models; empty with one model", &Analysis::comparison);

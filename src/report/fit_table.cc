@@ -185,6 +185,11 @@ std::vector<std::string> assumptions(const Analysis& result) {
     list.emplace_back(
         "A circular contact of a sphere on a half-space, without slip and in equilibrium at every point; linear "
         "elasticity, short-range adhesion (JKR), nu = 1/2 for the tangential displacement.");
+  if (data.has_loads)
+    list.push_back("Mode III at the edge: " + mode_III_text(data.metadata) +
+                   (data.metadata.mode_III == ModeIII::averaged
+                        ? ", as in Johnson (1996) and Waters & Guduru (2010)."
+                        : ", so that the energy release rate is the same all round (Papangelo & Ciavarella 2019)."));
   else
     list.emplace_back("Phase angle and toughness are taken as the file gives them; no area is predicted.");
   if (data.contact)

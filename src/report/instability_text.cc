@@ -60,6 +60,7 @@ std::string to_text(const InstabilityReport& report) {
   const InstabilityUnits& units = report.units;
   std::string text = "[[Instabilities]] model " + report.model;
   for (const auto& [name, number] : report.parameters) text += ", " + name + " = " + number_text(number, 1);
+  if (report.stated.mode_III != ModeIII::unstated) text += ", mode III " + mode_III_text(report.stated);
   text += (report.source.empty() ? "" : ", " + report.source) + (units.force.empty() ? " (dimensionless)\n" : "\n");
   const std::string load = bracketed("P", units.force);
   std::vector<Row> rows{{load, "control", "met on", bracketed("T", units.force), bracketed("u", units.displacement),
@@ -93,6 +94,7 @@ std::string to_json(const InstabilityReport& report) {
     parameters[name] = {{"value", *number.value}, {"stderr", json_of(number.standard_error)}};
   }
   if (fitted) document["parameters"] = parameters;
+  document["mode_III"] = to_string(report.stated.mode_III);
   if (!units.force.empty())
     document["units"] = {{"force", units.force},
                          {"displacement", units.displacement},

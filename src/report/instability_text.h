@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dataset/metadata.h"
 #include "fitting/prediction.h"
 
 namespace mixity {
@@ -27,16 +28,17 @@ struct InstabilityReport {
   };
   std::vector<AtLoad> loads{};
   std::optional<double> shear_strength{};  // tau0, dimensionless; null if not stated
+  Metadata stated{};                       // what it states of mode III is shown
 };
 
 /// A table of the folds, and lists of loads without a fold and of loads at which the interface slides first.
 std::string to_text(const InstabilityReport& report);
 
-/// For given parameters: {model, lambda (or the model's own parameters), units (if any), load, folds: [{control,
-/// stiffness (for that control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to, area_lost}]}. For a fit:
-/// {model, source, parameters: {name: {value, stderr}}, units, slides_first: [loads] (if a shear strength is stated),
-/// loads: [{load, folds, problem (without folds)}]}, with T_stderr, u_stderr and A_stderr in the folds, null where
-/// unknown. Full precision.
+/// For given parameters: {model, lambda (or the model's own parameters), mode_III, units (if any), load, folds:
+/// [{control, stiffness (for that control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to, area_lost}]}. For
+/// a fit: {model, source, parameters: {name: {value, stderr}}, mode_III, units, slides_first: [loads] (if a
+/// shear strength is stated), loads: [{load, folds, problem (without folds)}]}, with T_stderr, u_stderr and A_stderr in
+/// the folds, null where unknown. Full precision.
 std::string to_json(const InstabilityReport& report);
 
 }  // namespace mixity

@@ -82,6 +82,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
   Chance chance(seed, index);
   const Contact nominal = contact_of(stated);
   Constants truth{};
+  truth.shear_weight = stated.shear_weight();
   const auto add_error = [&](Constant c, double size) {
     truth[c] += stated.standard_error(kConstantNames[c]) / size * chance();
   };
@@ -116,9 +117,10 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
     };
     std::vector<double> shears(plan.points), areas_found(plan.points);
     std::vector<EquilibriumStatus> status(plan.points);
+    const double last_shear = longest / truth.shear_weight;
     // T is the planned one, whatever its zero.
     for (std::size_t i = 0; i < plan.points; ++i)
-      shears[i] = longest * static_cast<double>(i) / static_cast<double>(plan.points - 1) * scale_at(i).force;
+      shears[i] = last_shear * static_cast<double>(i) / static_cast<double>(plan.points - 1) * scale_at(i).shear_force;
     const auto without = std::span(status).first(1), with = std::span(status).subspan(1);
     model.areas_at(plan.parameters, scale_at(0).load(load), std::span(shears).first(1), std::span(areas_found).first(1),
                    without);
@@ -132,7 +134,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
       // errors at the true values, so that noise does not change the weights
       const double dT = error_of(
                        plan.sigma_T,
-                       std::max(shear, longest * nominal.force_unit() / kMilli / static_cast<double>(plan.points)),
+                       std::max(shear, last_shear * nominal.force_unit() / kMilli / static_cast<double>(plan.points)),
                        kMilli),
                    dA = error_of(plan.sigma_A, area, mm2);
       P.push_back(plan.loads[k] / kMilli);

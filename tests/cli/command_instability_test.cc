@@ -146,7 +146,7 @@ TEST(InstabilityCommand, SpeaksInTheUnitsOfTheConstantsOrOfTheData) {
 TEST(InstabilityCommand, NamesTheParametersOfBk) {
   const Json report =
       json_of({"instability", "--model=bk", "--parameters=r=1.774,eta=2.284", "--load=1", "--format=json"});
-  EXPECT_EQ(keys_of(report), (std::set<std::string>{"model", "r", "eta", "load", "folds"}));
+  EXPECT_EQ(keys_of(report), (std::set<std::string>{"model", "r", "eta", "load", "folds", "mode_III"}));
 }
 
 TEST(InstabilityCommand, SaysWhereTheInterfaceSlidesBeforeItJumps) {

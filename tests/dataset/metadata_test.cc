@@ -113,12 +113,16 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
            {"poisson_ratio = -0.1", "1:17: poisson_ratio is \"-0.1\"; it must lie between 0 and 0.5"},
            {"provenance = \"measuerd\"",
             "1:14: provenance is \"measuerd\"; it must be measured, digitised or reconstructed"},
+           {"mode_III = \"round\"", "1:12: mode_III is \"round\"; it must be half or averaged"},
+           {"mode_III = \"\"", "1:12: mode_III is \"\"; it must be half or averaged"},
+           {"mode_III = 1.5", "1:12: mode_III must be a string"},
            {"\nraduis = \"3 mm\"",
             "2:1: unknown key \"raduis\" (known: radius, modulus, youngs_modulus, poisson_ratio, toughness, "
             "toughness_II, "
             "shear_strength, load_offset, shear_offset, area_offset, area_scale, force_gain, modulus_drift, "
             "toughness_drift, "
-            "shape, hysteresis, pixel, load, rate, fps, table, provenance, source, note, columns, headings, "
+            "shape, hysteresis, pixel, load, rate, fps, table, mode_III, provenance, source, note, columns, "
+            "headings, "
             "definition, decimal, "
             "sheet, load_from)"},
        })
@@ -158,6 +162,43 @@ TEST(Metadata, TwoStatementsOfTheModulusAreRefused) {
   EXPECT_EQ(problem(modulus, {{"poisson_ratio", "0.5"}}), "--poisson_ratio: needs youngs_modulus, too");
   for (const std::string& fine : {modulus, E + '\n' + nu, modulus + '\n' + nu}) EXPECT_EQ(problem(fine), "");
   EXPECT_EQ(problem(E, {{"poisson_ratio", "0.5"}}), "");
+}
+
+TEST(Metadata, PoissonsRatioMayStandByItselfWhereModeIIIIsAveraged) {
+  const auto weighs = [](const std::string& toml, const Overrides& overrides = {}) {
+    Metadata metadata = metadata_of(toml);
+    apply_overrides(overrides, metadata);
+    require_whole_modulus(metadata, "a.toml", overrides);
+    return metadata.kappa();
+  };
+  const std::string averaged = "mode_III = \"averaged\"\n", half = "mode_III = \"half\"\n", nu = "poisson_ratio = 0.25";
+  EXPECT_EQ(weighs(""), 1);
+  EXPECT_EQ(weighs(half), 1);
+  EXPECT_EQ(weighs(averaged), 1.5);
+  EXPECT_EQ(weighs(averaged + nu), 1.75 / 1.5);
+  EXPECT_EQ(weighs(averaged + "modulus = \"2 MPa\"", {{"poisson_ratio", "0.25"}}), 1.75 / 1.5);
+  EXPECT_EQ(weighs(nu, {{"mode_III", "averaged"}}), 1.75 / 1.5);
+  EXPECT_EQ(weighs(averaged + nu + "\nyoungs_modulus = \"2 MPa\"", {{"mode_III", "half"}}), 1);
+  EXPECT_THROW(weighs(averaged + nu, {{"mode_III", "half"}}), InputError);
+  EXPECT_THROW(weighs(averaged + "youngs_modulus = \"2 MPa\""), InputError);
+}
+
+TEST(Metadata, TheConventionOfModeIIISaysPoissonsRatio) {
+  EXPECT_EQ(mode_III_text(metadata_of("")), "half");
+  EXPECT_EQ(mode_III_text(metadata_of("mode_III = \"half\"\npoisson_ratio = 0.3")), "half");
+  const std::string averaged = "mode_III = \"averaged\"\n";
+  EXPECT_EQ(mode_III_text(metadata_of(averaged)), "averaged (kappa = 1.5 at nu = 0.5, not stated)");
+  EXPECT_EQ(mode_III_text(metadata_of(averaged + "poisson_ratio = 0")), "averaged (kappa = 1 at nu = 0)");
+  EXPECT_EQ(mode_III_text(metadata_of(averaged + "poisson_ratio = \"0.5 +/- 0.01\"")),
+            "averaged (kappa = 1.5 at nu = 0.5, taken as exact)");
+}
+
+TEST(Metadata, FilesWithTwoConventionsOfModeIIIAreNoDataSet) {
+  Metadata constants = metadata_of("mode_III = \"averaged\"");
+  EXPECT_EQ(add_constants(metadata_of("radius = \"1 mm\""), constants), "");
+  EXPECT_EQ(constants.mode_III, ModeIII::averaged);
+  EXPECT_EQ(add_constants(metadata_of("mode_III = \"half\""), constants),
+            "states another mode_III than a file before it; constants are those of the whole experiment");
 }
 
 TEST(Metadata, OverridesReplaceWhatTheFileStates) {

@@ -34,8 +34,10 @@ inline std::vector<MeasuredPoint> points_off(const std::string& model, const Par
 }
 
 /// All parameters of the model and all constants.
-inline FreeChoice everything_free(const ContactModel& model) {
-  FreeChoice choice(model, {}, {});
+inline FreeChoice everything_free(const ContactModel& model, double shear_weight = 1) {
+  Candidate base;
+  base.constants.shear_weight = shear_weight;
+  FreeChoice choice(model, base, {});
   for (const Constant c : kAllConstants) choice.add(c, {std::string(kConstantNames[c]), -1, 1, 0.0});
   return choice;
 }

@@ -294,7 +294,8 @@ export class Experiment {
 
   /// Sets the sliders of the models to the fitted values.
   setSliders() {
-    const {contact} = this.result.drawn, {fits} = this.result.fits.datasets[0], values = {};
+    const {contact} = this.result.drawn, {fits, mode_III} = this.result.fits.datasets[0], values = {};
+    if (mode_III === 'averaged') return;  // the sliders' figures are of the other convention
     if (contact) Object.assign(values, {R: contact.radius * 1e3, E: contact.modulus * 1e-6, G: contact.toughness * 1e3});
     for (const {model, parameters} of fits) if (parameters.lambda?.value > 0) values[model] = parameters.lambda.value;
     const own = fits.find(fit => fit.model === this.models.own?.model);

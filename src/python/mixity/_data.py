@@ -51,7 +51,7 @@ class Dataset:
     **constants
         ``radius``, ``modulus`` (plane strain) or ``youngs_modulus`` and ``poisson_ratio``, ``toughness``, and the
         others of the program's TOML: texts with units and errors, floats in SI, pairs (value, standard error), or pint
-        quantities. ``definition``, a TOML as :func:`check` saves it, has those that are not given.
+        quantities. ``mode_III="averaged"`` is the convention of Johnson and of Waters & Guduru. ``definition``, a TOML as :func:`check` saves it, has those that are not given.
 
     Raises
     ------
@@ -206,11 +206,17 @@ def stated_constants(given):
     stated = [(key, constant_text(key, value)) for key, value in given.items() if value is not None]
     if definition is None:
         return stated
-    names = set(dict(stated))
-    for one, instead in (("modulus", {"youngs_modulus", "poisson_ratio"}), ("youngs_modulus", {"modulus"}), ("poisson_ratio", {"modulus"})):
-        if one in dict(stated):
+    common = _core.constants_of_definition(os.fspath(definition))
+    given = dict(stated)
+    names = set(given)
+    averaged = {**dict(common), **given}.get("mode_III") == "averaged"  # poisson_ratio then is not of the modulus alone
+    replaced = {"modulus": {"youngs_modulus"}, "youngs_modulus": {"modulus"}}
+    if not averaged:
+        replaced = {"modulus": {"youngs_modulus", "poisson_ratio"}, "youngs_modulus": {"modulus"}, "poisson_ratio": {"modulus"}}
+    for one, instead in replaced.items():
+        if one in given:
             names |= instead
-    return [one for one in _core.constants_of_definition(os.fspath(definition)) if one[0] not in names] + stated
+    return [one for one in common if one[0] not in names] + stated
 
 
 def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **constants: Any) -> Dataset:

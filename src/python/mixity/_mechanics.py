@@ -72,7 +72,8 @@ def area(
 
     Notes
     -----
-    y**2 + T**2 = 8 pi a**3 f(psi), psi = atan2(T, y), y = 4/3 a**3 - P [1]_.
+    y**2 + T**2 = 8 pi a**3 f(psi), psi = atan2(T, y), y = 4/3 a**3 - P [1]_. Mode III is weighted by 1/2. Where it is averaged
+    over the edge (``mode_III="averaged"`` of a data set), T here is sqrt((2 - nu)/(2 - 2 nu)) times the tangential load.
 
     .. [1] Papangelo & Ciavarella, "On mixed-mode fracture mechanics models for contact area reduction under shear load
        in soft materials", J. Mech. Phys. Solids (2019).
