@@ -52,5 +52,24 @@ TEST(ModelCurves, MapsOfRegimesAreOfTheLoadsAsCorrected) {
     EXPECT_NEAR(shifted.regions[i].outline.at(0).first + offset, map.regions[i].outline.at(0).first, 1e-6);
 }
 
+/// Sliding begins at T = tau0 A of the true T. A strength sqrt(1.5) times as large gives other regimes.
+TEST(ModelCurves, MapsOfRegimesCompareTheTrueShearWithTheStrength) {
+  FitRequest request;
+  request.models = {"c"};
+  const auto runs_of = [&](ModeIII convention, double strength) {
+    Dataset data = mergel();
+    data.metadata.mode_III = convention;
+    data.metadata.shear_strength = strength;
+    const Analysis result = run(request, data);
+    return figured_models(result).models.at(0).map->runs;
+  };
+  std::size_t other = 0;
+  for (const double strength : {0.3e6, 0.43e6, 0.6e6, 0.8e6}) {
+    EXPECT_EQ(runs_of(ModeIII::averaged, strength), runs_of(ModeIII::half, strength)) << strength;
+    other += runs_of(ModeIII::half, std::sqrt(1.5) * strength) != runs_of(ModeIII::half, strength);
+  }
+  EXPECT_GT(other, 0u);
+}
+
 }  // namespace model_curves_test
 }  // namespace mixity

@@ -49,8 +49,8 @@ inline std::vector<double> solver_point(const ParameterValues& p, const Constant
 }
 
 inline const std::vector<Constants> kSomeConstants{
-    {}, {0.02, -0.03, 0.01, -0.01, 0.015, 0.05, 0.02, -0.01, 0.03, -0.02, 0.01, 0.05}};
-inline constexpr Constants kWrongConstants{0.1, -0.2, 0.05, -0.04, 0.02, 0.3, -0.02, -0.05, 0.04, -0.03, 0.02, 0.06};
+    {}, {{0.02, -0.03, 0.01, -0.01, 0.015, 0.05, 0.02, -0.01, 0.03, -0.02, 0.01, 0.05}}};
+inline constexpr Constants kWrongConstants{{0.1, -0.2, 0.05, -0.04, 0.02, 0.3, -0.02, -0.05, 0.04, -0.03, 0.02, 0.06}};
 
 /// The same contact, read with constants that `c` puts right.
 inline std::vector<MeasuredPoint> misread(std::vector<MeasuredPoint> points, const Constants& c) {
