@@ -274,7 +274,7 @@ bool CurveObjective::some_blocks(std::span<const double> x, const MeasuredPoints
         defined = false;
     }
   };
-  run_on_threads(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
+  run_on_idle_processors(n / kPointsOfAThread, work);
   return defined;
 }
 
