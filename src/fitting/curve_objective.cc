@@ -47,42 +47,54 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
                                std::shared_ptr<const Whitening> whitening, std::vector<ParameterValues> shifts)
     : ModelProblem(std::move(choice)),
       points_(std::move(points)),
-      expected_(std::move(expected)),
       whitening_(std::move(whitening)),
       shifts_(std::move(shifts)) {
   // The normal of the curve is taken at the place next to a reading, which noise along the curve has moved. As far as
   // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
   if (whitening_ && !whitening_->predicted_across().empty())
-    for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * whitening_->predicted_across()[i];
+    for (std::size_t i = 0; i < expected.size(); ++i) expected[i] *= 1 - 2 * whitening_->predicted_across()[i];
+  if (!expected.empty()) expected_ = std::make_shared<std::vector<double>>(std::move(expected));
   const std::size_t n = points_.size;
-  Workspace workspace(std::min(n, kBlock), 0);
-  const PointArrays block = workspace.points(std::min(n, kBlock));
-  const auto fill = [&](std::size_t rank) {
-    const std::size_t count = std::min(kBlock, n - rank);
-    points_.fill(Indices(*this, rank, count).list, block);
-    return count;
-  };
-  double areas = 0;
-  for (std::size_t i = 0; i < n; i += kBlock)
-    for (std::size_t k = 0, count = fill(i); k < count; ++k) areas += std::pow(block.A[k] / block.sigma_A[k], 2);
+  near_ = n >= kManyPoints && points_.at(0).near_A > 0;
+  const double areas =
+      sum_of(0, [](const PointArrays& block, std::size_t k) { return std::pow(block.A[k] / block.sigma_A[k], 2); });
   for (std::size_t i = 0; i < n && points_.has_places(); ++i) varies_ |= points_.at(i).place.has_own_constants();
   sort_points();
-  double square = std::pow(std::sqrt(areas), 2);
-  for (std::size_t rank = 0; rank < n; rank += kBlock)
-    for (std::size_t k = 0, count = fill(rank); k < count; ++k) square += std::pow(block.T[k] / block.sigma_T[k], 2);
+  data_norm_ = std::sqrt(sum_of(std::pow(std::sqrt(areas), 2), [](const PointArrays& block, std::size_t k) {
+    return std::pow(block.T[k] / block.sigma_T[k], 2);
+  }));
   std::size_t run_before = 0;
-  for (std::size_t rank = 0; rank < n; ++rank) {
+  for (std::size_t rank = 0; rank < n; rank += shifts_.empty() ? kBlock : 1) {
     const std::size_t run = shifts_.empty() ? 0 : points_.at(index_of(rank)).run;
     if (rank == 0 || rank - blocks_.back() == kBlock || run != run_before) blocks_.push_back(rank);
     run_before = run;
   }
-  data_norm_ = std::sqrt(square);
   blocks_.push_back(n);
   list_points();
   if (n < 2 * kSample) return;
   std::vector<MeasuredPoint> sample;
   for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_.at(index_of(i * n / kSample)));
   sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
+}
+
+/// The sum over all points by rank, from parts of fixed length: it does not depend on the number of threads.
+template <class Of>
+double CurveObjective::sum_of(double from, const Of& of) const {
+  constexpr std::size_t kPart = kBlock * kBlocksOfAPart;
+  const std::size_t n = points_.size;
+  std::vector<double> sums((n + kPart - 1) / kPart);
+  if (!sums.empty()) sums[0] = from;
+  parallel_for(sums.size(), [&](std::size_t part) {
+    Workspace workspace(std::min(n, kBlock), 0);
+    const std::size_t end = std::min(n, (part + 1) * kPart);
+    for (std::size_t rank = part * kPart; rank < end; rank += kBlock) {
+      const std::size_t count = std::min(kBlock, end - rank);
+      const PointArrays block = workspace.points(count);
+      points_.fill(Indices(*this, rank, count).list, block);
+      for (std::size_t k = 0; k < count; ++k) sums[part] += of(block, k);
+    }
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 /// Arrays are scaled faster than points that are made one by one; of millions they would be most of the memory.
@@ -108,17 +120,30 @@ void CurveObjective::sort_points() {
     Key key;
     std::size_t begin;
   };
+  constexpr std::size_t kPart = kBlock * kBlocksOfAPart;
+  const std::size_t n = points_.size;
+  std::vector<std::vector<Stretch>> parts((n + kPart - 1) / kPart);
+  parallel_for(parts.size(), [&](std::size_t part) {
+    Workspace workspace(std::min(n, kBlock), 0);
+    const std::size_t end = std::min(n, (part + 1) * kPart);
+    for (std::size_t begin = part * kPart; begin < end; begin += kBlock) {
+      const std::size_t count = std::min(kBlock, end - begin);
+      const PointArrays block = workspace.points(count);
+      points_.fill(Indices(*this, begin, count).list, block);
+      for (std::size_t k = 0; k < count; ++k) {
+        const Key key(shifts_.empty() ? 0 : points_.at(begin + k).run, block.P[k]);
+        if (parts[part].empty() || parts[part].back().key != key) parts[part].push_back({key, begin + k});
+      }
+    }
+  });
   std::vector<Stretch> stretches;
   bool sorted = true;
-  Workspace workspace(std::min(points_.size, kBlock), 0);
-  const PointArrays block = workspace.points(std::min(points_.size, kBlock));
-  for (std::size_t i = 0; i < points_.size; ++i) {
-    if (i % kBlock == 0) points_.fill(Indices(*this, i, std::min(kBlock, points_.size - i)).list, block);
-    const Key key(shifts_.empty() ? 0 : points_.at(i).run, block.P[i % kBlock]);
-    if (!stretches.empty() && stretches.back().key == key) continue;
-    sorted &= stretches.empty() || stretches.back().key < key;
-    stretches.push_back({key, i});
-  }
+  for (const auto& part : parts)
+    for (const Stretch& one : part) {
+      if (!stretches.empty() && stretches.back().key == one.key) continue;
+      sorted &= stretches.empty() || stretches.back().key < one.key;
+      stretches.push_back(one);
+    }
   if (sorted) return;
   std::vector<std::size_t> by_key(stretches.size());
   std::iota(by_key.begin(), by_key.end(), std::size_t{0});
@@ -153,6 +178,7 @@ bool CurveObjective::evaluate(std::span<const double> x, std::span<double> resid
 
 bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                     std::vector<double>& memory) const {
+  if (near_) return residuals_of(x, residuals, jacobian, {});
   memory.resize(2 * points_.size, 0.0);
   return residuals_of(x, residuals, jacobian, memory);
 }
@@ -163,13 +189,29 @@ std::size_t CurveObjective::parts() const {
 
 bool CurveObjective::evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                                    std::vector<double>& jacobian) const {
+  return part_of(part, x, residuals, jacobian, nullptr);
+}
+
+bool CurveObjective::evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                                         std::vector<double>& jacobian, std::vector<double>& memory) const {
+  return part_of(part, x, residuals, jacobian, near_ ? nullptr : &memory);
+}
+
+bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                             std::vector<double>& jacobian, std::vector<double>* memory) const {
   if (parts() == 1) return Problem::evaluate_part(part, x, residuals, jacobian);
   const std::size_t begin = part * kBlocksOfAPart, end = std::min(begin + kBlocksOfAPart, blocks_.size() - 1),
                     first = blocks_[begin], n = blocks_[end] - first;
   residuals.resize(n);
   jacobian.resize(n * choice_.size());
-  if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, {}})) return false;
-  for (std::size_t i = 0; i < expected_.size() && i < n; ++i) residuals[i] -= expected_[index_of(first + i)];
+  std::span<double> places;
+  if (memory) {
+    memory->resize(2 * n, 0.0);
+    places = *memory;
+  }
+  if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, places})) return false;
+  for (std::size_t i = 0; expected_ && i < expected_->size() && i < n; ++i)
+    residuals[i] -= (*expected_)[index_of(first + i)];
   return true;
 }
 
@@ -195,7 +237,7 @@ bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> 
 }
 
 void CurveObjective::take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const {
-  for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
+  for (std::size_t i = 0; expected_ && i < expected_->size(); ++i) residuals[i] -= (*expected_)[i];
   if (!whitening_) return;
   whitening_->apply(residuals);
   if (!jacobian.empty()) whiten(jacobian);
@@ -248,12 +290,13 @@ struct CurveObjective::Beside final : PointSource {
 std::optional<std::vector<double>> CurveObjective::expected(std::span<const double> x,
                                                             const NearestPlaces& places) const {
   const std::size_t n = points_.size;
-  std::vector<double> mean(n, 0.0), distances(n);
+  std::vector<double> mean(n, 0.0);
   const double root = 1.0;
   for (const double side : {-root, root}) {
-    if (!all_blocks(x, {n, std::make_shared<Beside>(points_, places, side)}, Search::global, {distances, {}, {}}))
+    Wanted wanted{mean, {}, {}};
+    wanted.halves = true;
+    if (!all_blocks(x, {n, std::make_shared<Beside>(points_, places, side)}, Search::global, wanted))
       return std::nullopt;
-    for (std::size_t i = 0; i < n; ++i) mean[i] += distances[i] / 2;
   }
   return mean;
 }
@@ -336,8 +379,9 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   CurveDistances out{
       array(7), array(8), array(9), array(10), {workspace.values.get() + Workspace::kArrays * workspace.size, n * p}};
   if (!wanted.places.empty()) {
-    out.place_T = wanted.places.subspan(begin, n);
-    out.place_A = wanted.places.subspan(points.size + begin, n);
+    const std::size_t row = begin - range.first.value_or(0);
+    out.place_T = wanted.places.subspan(row, n);
+    out.place_A = wanted.places.subspan(wanted.places.size() / 2 + row, n);
   } else if (wanted.nearest) {
     out.place_T = array(11);
     out.place_A = array(12);
@@ -350,7 +394,10 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
                                !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
   const auto to = [&](std::size_t i) { return range.first ? begin + i - *range.first : index_of(begin + i); };
-  for (std::size_t i = 0; i < n; ++i) wanted.residuals[to(i)] = out.r[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    double& residual = wanted.residuals[to(i)];
+    residual = wanted.halves ? residual + out.r[i] / 2 : out.r[i];
+  }
   if (!wanted.jacobian.empty()) {
     std::size_t column = 0;
     for (const std::size_t parameter : choice_.of_model()) {

@@ -86,7 +86,9 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
     rows.add(r * r / share, share * alone, fixed, shape);
   };
   if (rows.pool > 1) {
-    for (const auto& run : used_runs(data, used).groups) std::for_each(run.begin(), run.end(), add);
+    const PointsByRun in_runs(data, used);
+    for (std::size_t g = 0; g < in_runs.runs(); ++g)
+      for (std::size_t k = 0; k < in_runs.size(g); ++k) add(in_runs.at(g, k));
   } else {
     for (std::size_t i = 0; i < residuals.size(); ++i) add(i);
   }
@@ -100,13 +102,12 @@ double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
 void add_differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
                           double least, const ErrorModels& before, Deviations& rows) {
   constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
-  const UsedRuns in_runs = used_runs(data, used);
-  for (std::size_t g = 0; g < in_runs.groups.size(); ++g) {
-    const std::vector<std::size_t>& run = in_runs.groups[g];
-    const double factor = kept(before.correlations.second) * square(before.factor(in_runs.runs[g]));
-    const auto T = [&](std::size_t k) { return data.points[used[run[k]]].shear(); };
-    const auto place = [&](std::size_t k) { return square(nearest.T[run[k]]); };
-    for (std::size_t k = 2; k < run.size(); ++k) {
+  const PointsByRun in_runs(data, used);
+  for (std::size_t g = 0; g < in_runs.runs(); ++g) {
+    const double factor = kept(before.correlations.second) * square(before.factor(in_runs.run(g)));
+    const auto T = [&](std::size_t k) { return data.points[used[in_runs.at(g, k)]].shear(); };
+    const auto place = [&](std::size_t k) { return square(nearest.T[in_runs.at(g, k)]); };
+    for (std::size_t k = 2; k < in_runs.size(g); ++k) {
       const double d = T(k) - 2 * T(k - 1) + T(k - 2), squares = place(k) + 4 * place(k - 1) + place(k - 2);
       rows.add(d * d, kShare, 6 * least * least, std::array<double, 4>{0, 0, 6 * factor, squares * factor});
     }

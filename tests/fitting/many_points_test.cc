@@ -144,7 +144,8 @@ TEST(ManyPoints, HaveSumsOfRunsWithTheProductsOfAllRows) {
   const std::vector<std::string> names = tested_quantities(data, prepared);
   const auto rows = run_rows(data, options, prepared, x, fit.residuals, names, 2);
   const Groups groups = used_runs(data, prepared.used).groups;
-  const auto sums = summed_run_rows(data, options, prepared, groups, x, fit.residuals, names, 2);
+  const auto sums =
+      summed_run_rows(data, options, prepared, PointsByRun(data, prepared.used), x, fit.residuals, names, 2);
   ASSERT_TRUE(rows && sums);
   const GroupedRows whole = grouped_rows(rows->J, rows->r, rows->Zw, groups),
                     few = grouped_rows(sums->rows.J, sums->rows.r, sums->rows.Zw, sums->groups);
