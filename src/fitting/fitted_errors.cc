@@ -88,7 +88,7 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, N
 std::vector<double> variance_ratios(const Dataset& data, std::span<const std::size_t> used,
                                     const StandardErrors& errors) {
   std::vector<double> ratios(used.size(), 1.0);
-  if (!errors.scatter || errors.load_T.empty()) return ratios;
+  if (!errors.scatter || errors.load_A.empty()) return ratios;
   const auto by_reading = [&](ErrorSource source, double sigma, double value) {
     return StandardErrors::is_known(source) ? 1 : std::pow(*errors.scatter * value / sigma, 2);
   };
@@ -96,7 +96,7 @@ std::vector<double> variance_ratios(const Dataset& data, std::span<const std::si
     const std::size_t k = used[i];
     const double T = by_reading(errors.source_T, errors.T[k], data.points[k].shear()),
                  A = by_reading(errors.source_A, errors.A[k], data.points[k].A);
-    ratios[i] = 1 / (std::pow(errors.load_T[k], 2) * T + std::pow(errors.load_A[k], 2) * A);
+    ratios[i] = 1 / (errors.square_of_load_T(k) * T + std::pow(errors.load_A[k], 2) * A);
   }
   return ratios;
 }

@@ -206,7 +206,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     errors.freedom = known ? 0 : freedom * independence(models.correlations);
     change = std::max(change, evaluate_errors(data_, prepared_.used, std::move(*nearest), errors));
     nearest.reset();
-    leverage = std::vector<double>();
+    drop({&leverage});
+    if (many && !errors.correlations.any()) drop({&errors.load_T});
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     last_change = change;

@@ -27,7 +27,7 @@ UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used) {
 
 PointsByRun::PointsByRun(const Dataset& data, std::span<const std::size_t> used) : begins_{0} {
   const auto run_of = [&](std::size_t i) { return data.points[used[i]].curve; };
-  std::vector<std::size_t> next(data.curves.size());
+  std::vector<std::size_t> next(std::max<std::size_t>(data.curves.size(), 1));
   bool sorted = true;
   for (std::size_t i = 0; i < used.size(); ++i) {
     ++next[run_of(i)];
