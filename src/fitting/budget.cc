@@ -1,8 +1,11 @@
 #include "fitting/budget.h"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "base/threads.h"
 #include "solver/linear_algebra.h"
 #include "statistics/distributions.h"
 
@@ -24,31 +27,76 @@ class Rows {
  public:
   Rows(const Problem& problem, const std::vector<double>& x, double unit) : problem_(problem), x_(x), unit_(unit) {}
 
-  /// Calls take(J, r). False if a value is not finite.
-  template <class Take>
-  bool each(const Take& take) {
-    for (std::size_t part = 0; part < problem_.parts(); ++part) {
-      if (problem_.parts() > 1 || residuals_.empty()) {
-        if (!problem_.evaluate_part(part, x_, residuals_, jacobian_)) return false;
-        for (std::vector<double>* const list : {&residuals_, &jacobian_})
-          for (double& one : *list) one /= unit_;
-      }
-      const auto J = as_matrix(jacobian_, x_.size());
-      const auto r = as_vector(residuals_);
-      if (!J.allFinite() || !r.allFinite()) return false;
-      take(J, r);
+  /// Calls take(J, r, sums) for each part, and adds the parts' sums, in their order, to `sums`. False if a value is not
+  /// finite.
+  template <class Sums, class Take>
+  bool each(Sums& sums, const Take& take) {
+    if (problem_.parts() == 1) {
+      if (residuals_.empty() && !evaluate(0, residuals_, jacobian_)) return false;
+      return taken(residuals_, jacobian_, sums, take);
     }
-    return true;
+    std::vector<Sums> of_parts(problem_.parts(), sums);
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> finite = true;
+    run_on_idle_processors(of_parts.size(), [&] {
+      std::vector<double> residuals, jacobian;
+      for (std::size_t part; finite && (part = next++) < of_parts.size();)
+        if (!evaluate(part, residuals, jacobian) || !taken(residuals, jacobian, of_parts[part], take)) finite = false;
+    });
+    for (std::size_t part = 0; finite && part < of_parts.size(); ++part) sums.add(of_parts[part]);
+    return finite;
   }
 
  private:
+  bool evaluate(std::size_t part, std::vector<double>& residuals, std::vector<double>& jacobian) const {
+    if (!problem_.evaluate_part(part, x_, residuals, jacobian)) return false;
+    for (std::vector<double>* const list : {&residuals, &jacobian})
+      for (double& one : *list) one /= unit_;
+    return true;
+  }
+
+  template <class Sums, class Take>
+  bool taken(const std::vector<double>& residuals, const std::vector<double>& jacobian, Sums& sums,
+             const Take& take) const {
+    const auto J = as_matrix(jacobian, x_.size());
+    const auto r = as_vector(residuals);
+    if (!J.allFinite() || !r.allFinite()) return false;
+    take(J, r, sums);
+    return true;
+  }
+
   const Problem& problem_;
   const std::vector<double>& x_;
   double unit_;
   std::vector<double> residuals_, jacobian_;
 };
 
-/// A constant that was not fitted, and its sums over the rows.
+/// Sums over the rows; J has the columns of parameters that the fit can move.
+struct Products {
+  Eigen::MatrixXd of_data;          // J'J
+  double squares = 0;               // r'r
+  Eigen::MatrixXd across;           // J'c of each constant that was not fitted
+  Eigen::VectorXd lengths, slopes;  // its |c|^2 and c'r
+  void add(const Products& other) {
+    of_data += other.of_data;
+    squares += other.squares;
+    across += other.across;
+    lengths += other.lengths;
+    slopes += other.slopes;
+  }
+};
+
+/// Sums over the rows for the constants that are tested.
+struct Tests {
+  Eigen::MatrixXd correlations;
+  Eigen::VectorXd robust;  // the sums of squares of HC3
+  void add(const Tests& other) {
+    correlations += other.correlations;
+    robust += other.robust;
+  }
+};
+
+/// A constant that was not fitted.
 struct Tested {
   std::size_t column;
   double square = 0, slope = 0;  // |c|^2 and c'r
@@ -78,21 +126,30 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     priors[i] = prior > 0 ? prior : std::numeric_limits<double>::infinity();
   }
   std::vector<Tested> constants;
-  for (const ConstantStep& one : exact) constants.push_back({one.parameter, 0, 0, Eigen::VectorXd::Zero(m)});
-  Eigen::MatrixXd of_data = Eigen::MatrixXd::Zero(m, m);
-  double squares = 0;
-  const bool finite = rows.each([&](const auto& J, const auto& r) {
+  for (const ConstantStep& one : exact) constants.push_back({one.parameter});
+  const auto all = static_cast<Eigen::Index>(exact.size());
+  Products sums{Eigen::MatrixXd::Zero(m, m), 0, Eigen::MatrixXd::Zero(m, all), Eigen::VectorXd::Zero(all),
+                Eigen::VectorXd::Zero(all)};
+  const bool finite = rows.each(sums, [&](const auto& J, const auto& r, Products& to) {
     const Eigen::MatrixXd open_J = J(Eigen::all, open);
-    of_data += open_J.transpose() * open_J;
-    squares += r.squaredNorm();
-    for (Tested& one : constants) {
-      const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(one.column));
-      one.square += column.squaredNorm();
-      one.across += open_J.transpose() * column;
-      one.slope += column.dot(r);
+    to.of_data += open_J.transpose() * open_J;
+    to.squares += r.squaredNorm();
+    for (Eigen::Index k = 0; k < all; ++k) {
+      const Eigen::VectorXd column = J.col(static_cast<Eigen::Index>(exact[static_cast<std::size_t>(k)].parameter));
+      to.lengths[k] += column.squaredNorm();
+      to.across.col(k) += open_J.transpose() * column;
+      to.slopes[k] += column.dot(r);
     }
   });
   if (!finite) return std::nullopt;
+  const Eigen::MatrixXd& of_data = sums.of_data;
+  const double squares = sums.squares;
+  for (std::size_t k = 0; k < constants.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    constants[k].square = sums.lengths[column];
+    constants[k].slope = sums.slopes[column];
+    constants[k].across = sums.across.col(column);
+  }
   const bool scatters = std::sqrt(squares) * unit > kRounding * residual_rounding(problem);
   Eigen::MatrixXd H = of_data;
   H.diagonal() += priors.cwiseAbs2().cwiseInverse();
@@ -125,13 +182,13 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
     if (one.tested) tests.push_back(&one);
   }
   const auto count = static_cast<Eigen::Index>(tests.size());
-  Eigen::MatrixXd correlations = Eigen::MatrixXd::Zero(count, count);
+  Tests found{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
   const bool whole = problem.parts() == 1;  // the columns' lengths are then known at once
-  const bool again = tests.empty() || rows.each([&](const auto& J, const auto& r) {
+  const bool again = tests.empty() || rows.each(found, [&](const auto& J, const auto& r, Tests& to) {
     const Eigen::MatrixXd open_J = J(Eigen::all, open);
     Eigen::MatrixXd directions(J.rows(), count);  // one column per test
     for (Eigen::Index k = 0; k < count; ++k) {
-      Tested& one = *tests[static_cast<std::size_t>(k)];
+      const Tested& one = *tests[static_cast<std::size_t>(k)];
       auto apart = directions.col(k);
       apart = J.col(static_cast<Eigen::Index>(one.column));
       for (Eigen::Index i = 0; i < m; ++i) apart -= one.moved[i] * open_J.col(i);
@@ -140,14 +197,16 @@ std::optional<Budget> error_budget(const Problem& problem, const std::vector<dou
       const double per_left = 1 / one.left(), move = one.slope * per_left;
       for (Eigen::Index i = 0; i < apart.size() && !problem.known_errors(); ++i) {
         const double size = apart[i], free = (r[i] - size * move) / std::max(1 - size * size * per_left, 0.1);
-        one.robust += std::pow(size * free, 2);
+        to.robust[k] += std::pow(size * free, 2);
       }
       if (whole) apart.normalize();
     }
     for (Eigen::Index i = 0; i < count; ++i)
-      for (Eigen::Index j = 0; j < count; ++j) correlations(i, j) += directions.col(i).dot(directions.col(j));
+      for (Eigen::Index j = 0; j < count; ++j) to.correlations(i, j) += directions.col(i).dot(directions.col(j));
   });
   if (!again) return std::nullopt;
+  Eigen::MatrixXd& correlations = found.correlations;
+  for (std::size_t k = 0; k < tests.size(); ++k) tests[k]->robust = found.robust[static_cast<Eigen::Index>(k)];
   if (!whole) {
     const Eigen::VectorXd lengths = correlations.diagonal().cwiseSqrt();
     correlations.array() /= (lengths * lengths.transpose()).array();

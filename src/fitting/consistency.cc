@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <set>
 
+#include "base/threads.h"
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/pinned.h"
+#include "fitting/run_differences.h"
 #include "solver/robust.h"
 #include "statistics/distributions.h"
 
@@ -94,36 +97,39 @@ class EndsTest {
   Part at_end_, beside_;
 };
 
-/// Indices into FitResult::used of the points of each run, in file order.
-std::vector<std::vector<std::size_t>> used_by_run(const Dataset& data, const FitResult& fit) {
-  std::vector<std::vector<std::size_t>> runs(std::max<std::size_t>(data.curves.size(), 1));
-  for (std::size_t i = 0; i < fit.used.size(); ++i) runs[data.points[fit.used[i]].curve].push_back(i);
-  return runs;
-}
-
 /// Residuals minus the part expected from noise.
+double unexpected(const FitResult& fit, std::size_t i) {
+  const bool some = fit.errors && !fit.errors->expected.empty();
+  return some ? fit.residuals[i] - fit.errors->expected[fit.used[i]] : fit.residuals[i];
+}
 std::vector<double> unexpected(const FitResult& fit) {
-  std::vector<double> r = fit.residuals;
-  if (fit.errors && !fit.errors->expected.empty())
-    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= fit.errors->expected[fit.used[i]];
+  std::vector<double> r(fit.residuals.size());
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = unexpected(fit, i);
   return r;
 }
 
 /// T of each residual, at the fitted curve where that is known: the noise of a reading of T is in its residual, too, so
 /// that residuals would depend on the reading.
-std::vector<double> shears(const Dataset& data, const FitResult& fit) {
-  const bool known = fit.errors && !fit.errors->place_T.empty();
-  std::vector<double> T;
-  T.reserve(fit.used.size());
-  for (const std::size_t i : fit.used)
-    T.push_back(known ? std::copysign(fit.errors->place_T[i], data.points[i].T) : data.points[i].T);
-  return T;
-}
+class Shears {
+ public:
+  Shears(const Dataset& data, const FitResult& fit)
+      : data_(data), fit_(fit), known_(fit.errors && !fit.errors->place_T.empty()) {}
+  double operator()(std::size_t k) const {
+    const std::size_t i = fit_.used[k];
+    return known_ ? std::copysign(fit_.errors->place_T[i], data_.points[i].T) : data_.points[i].T;
+  }
+
+ private:
+  const Dataset& data_;
+  const FitResult& fit_;
+  bool known_;
+};
 
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   ResidualTests tests;
-  const std::vector<double> T = data.has_loads ? shears(data, fit) : std::vector<double>();
-  if (const auto course = data.has_loads ? test_course(data, fit.used, T, unexpected(fit)) : std::nullopt) {
+  const Shears T(data, fit);
+  const auto of_noise = [&](std::size_t i) { return unexpected(fit, i); };
+  if (const auto course = data.has_loads ? test_course(data, fit.used, T, of_noise) : std::nullopt) {
     tests.course = course->F;
     tests.course_p = course->exceeds_noise(fit.used.size(), residual_unit(fit)) ? course->p_value : 1;
     // With few runs, noise with a memory is hardly distinguished from a wrong model: less evidence is enough against
@@ -135,25 +141,30 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   }
   // With one or two runs, correlated noise cannot be distinguished from a wrong model.
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
-  std::vector<double> residuals = independent ? fit.innovations : unexpected(fit);
+  std::vector<double> changed;  // of millions of points no list is copied
+  if (!independent || fit.loss_scale > 0) changed = independent ? fit.innovations : unexpected(fit);
   if (fit.loss_scale > 0)  // limit outliers as the fit does, to where the loss bends
-    for (double& r : residuals) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
-  const auto runs = used_by_run(data, fit);
+    for (double& r : changed) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
+  const std::vector<double>& residuals = changed.empty() ? fit.innovations : changed;
+  const PointsByRun runs(data, fit.used);
   double z = 0, trend = 0, squares = 0, product = 0, of_products = 0;
   EndsTest ends;
-  for (std::size_t c = 0; c < runs.size(); ++c) {
-    if (runs[c].size() < ResidualTests::kLeastRun) continue;
+  for (std::size_t g = 0; g < runs.runs(); ++g) {
+    if (runs.size(g) < ResidualTests::kLeastRun) continue;
+    const std::size_t c = runs.run(g);
     std::vector<double> r, t;
     std::vector<bool> repeats;
+    r.reserve(runs.size(g));
+    t.reserve(runs.size(g));
     double square = 0;
     std::optional<std::size_t> before;
-    for (const std::size_t i : runs[c]) {
-      const std::size_t point = fit.used[i];
+    for (std::size_t k = 0; k < runs.size(g); ++k) {
+      const std::size_t i = runs.at(g, k), point = fit.used[i];
       repeats.push_back(before && fit.errors && fit.errors->coarse(point) &&
                         data.points[point].A == data.points[*before].A);
       before = point;
       r.push_back(residuals[i]);
-      t.push_back(data.has_loads ? T[i] : std::asin(data.converted[point].mixity.sin));
+      t.push_back(data.has_loads ? T(i) : std::asin(data.converted[point].mixity.sin));
       square += r.back() * r.back();
     }
     if (data.has_loads) ends.add(t, r, repeats);
@@ -182,11 +193,21 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
   constexpr std::size_t kEnough = 8;
   if (!data.has_loads) return std::nullopt;
   double squares = 0, differences = 0, triples = 0;
-  const std::vector<double> T = shears(data, fit);
-  for (auto& run : used_by_run(data, fit)) {
-    std::stable_sort(run.begin(), run.end(),
-                     [&](std::size_t one, std::size_t other) { return std::abs(T[one]) < std::abs(T[other]); });
-    const std::vector<double>& r = fit.innovations.empty() ? fit.residuals : fit.innovations;
+  const Shears T(data, fit);
+  const std::vector<double>& r = fit.innovations.empty() ? fit.residuals : fit.innovations;
+  const PointsByRun in_runs(data, fit.used);
+  std::vector<std::vector<std::uint32_t>> by_T(in_runs.runs());
+  const auto sort = [&](std::size_t g) {
+    by_T[g].resize(in_runs.size(g));
+    for (std::size_t k = 0; k < by_T[g].size(); ++k) by_T[g][k] = static_cast<std::uint32_t>(in_runs.at(g, k));
+    std::stable_sort(by_T[g].begin(), by_T[g].end(),
+                     [&](std::size_t one, std::size_t other) { return std::abs(T(one)) < std::abs(T(other)); });
+  };
+  if (fit.used.size() < kManyPoints)
+    for (std::size_t g = 0; g < by_T.size(); ++g) sort(g);
+  else
+    parallel_for(by_T.size(), sort);
+  for (const std::vector<std::uint32_t>& run : by_T) {
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const double before = r[run[i - 1]], here = r[run[i]], behind = r[run[i + 1]];
       squares += (before * before + 4 * here * here + behind * behind) / 6;  // weighted like the differences
@@ -202,8 +223,7 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
 double over_scatter(const Dataset& data, const FitResult& fit) {
   const std::vector<double> ratios = variance_ratios(data, fit.used, *fit.errors);
   double squares = 0;
-  const std::vector<double> residuals = unexpected(fit);
-  for (std::size_t i = 0; i < residuals.size(); ++i) squares += residuals[i] * residuals[i] * ratios[i];
+  for (std::size_t i = 0; i < fit.residuals.size(); ++i) squares += std::pow(unexpected(fit, i), 2) * ratios[i];
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 

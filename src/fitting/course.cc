@@ -17,23 +17,24 @@ struct Part {
 using Run = std::array<Part, kParts>;
 
 /// The parts of all runs that are long enough.
-std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
-                          std::span<const double> residuals) {
+template <class Shear, class Residual>
+std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, const Shear& T,
+                          const Residual& residual) {
   std::vector<double> largest(data.curves.size());
   std::vector<std::size_t> points(data.curves.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::size_t run = data.points[used[i]].curve;
-    largest[run] = std::max(largest[run], std::abs(T[i]));
+    largest[run] = std::max(largest[run], std::abs(T(i)));
     ++points[run];
   }
   std::vector<Run> runs(data.curves.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::size_t run = data.points[used[i]].curve;
     if (points[run] < 2 * kParts || !(largest[run] > 0)) continue;
-    const double place = std::abs(T[i]) / largest[run] * kParts;
+    const double place = std::abs(T(i)) / largest[run] * kParts;
     Part& part = runs[run][std::min(static_cast<std::size_t>(place), kParts - 1)];
     ++part.points;
-    part.sum += residuals[i];
+    part.sum += residual(i);
   }
   std::erase_if(runs, [](const Run& run) {
     return std::all_of(run.begin(), run.end(), [](const Part& part) { return part.points == 0; });
@@ -41,11 +42,7 @@ std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used
   return runs;
 }
 
-}  // namespace
-
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
-                                      std::span<const double> residuals) {
-  const std::vector<Run> runs = parts_of(data, used, T, residuals);
+std::optional<CourseTest> test_parts(const std::vector<Run>& runs) {
   if (runs.size() < kLeastRuns) return std::nullopt;
   double course = 0, differences = 0, parts = 0, freedom = 0, points = 0;
   for (std::size_t k = 0; k < kParts; ++k) {
@@ -69,6 +66,19 @@ std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::
   if (!(freedom > 0 && differences > 0)) return std::nullopt;
   const double F = course / parts / (differences / freedom);
   return CourseTest{F, fisher_p_value(F, parts, freedom), parts, std::sqrt(course / points)};
+}
+
+}  // namespace
+
+std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, const OfPoint& T,
+                                      const OfPoint& residual) {
+  return test_parts(parts_of(data, used, T, residual));
+}
+
+std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
+                                      std::span<const double> residuals) {
+  return test_parts(parts_of(
+      data, used, [&](std::size_t i) { return T[i]; }, [&](std::size_t i) { return residuals[i]; }));
 }
 
 }  // namespace mixity

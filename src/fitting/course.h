@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@ struct CourseTest {
 /// `used`: indices of the points of `residuals`. `T`: their tangential loads at the fitted curve, in any unit. With
 /// readings instead, the highest part has more points that are read too large by chance, so that the mean of its
 /// residuals is not 0. Null unless at least three runs have ten points or more.
+using OfPoint = std::function<double(std::size_t)>;  // by place among the used points
+std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, const OfPoint& T,
+                                      const OfPoint& residual);
 std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
                                       std::span<const double> residuals);
 

@@ -1,135 +1,18 @@
 #include "fitting/curve_objective.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 
 #include "base/threads.h"
+#include "fitting/curve_blocks.h"
 
 namespace mixity {
 namespace {
 
-constexpr std::size_t kBlock = 512;  // points whose arrays stay in the processor's cache
-constexpr std::size_t kBlocksOfAPart = 64;
 constexpr std::size_t kPointsOfAThread = 1024;  // with fewer, starting a thread costs more than it saves
 
 }  // namespace
-
-/// Arrays of a block: the points as scaled, where they are near to, their distances with derivatives, and their places.
-struct CurveObjective::Workspace {
-  static constexpr std::size_t kArrays = 13;
-  Workspace(std::size_t n, std::size_t parameters) : values(new double[n * (kArrays + parameters)]), size(n) {}
-  std::span<double> array(std::size_t which, std::size_t n) { return {values.get() + which * size, n}; }
-  PointArrays points(std::size_t n) {
-    return {array(0, n), array(1, n), array(2, n), array(3, n), array(4, n), array(5, n), array(6, n)};
-  }
-  std::unique_ptr<double[]> values;
-  std::size_t size;
-};
-
-/// The indices of a block of points, given by their ranks.
-struct CurveObjective::Indices {
-  Indices(const CurveObjective& of, std::size_t begin, std::size_t n) {
-    if (!of.order_.empty()) {
-      list = std::span(of.order_).subspan(begin, n);
-    } else {
-      std::iota(own.begin(), own.begin() + n, static_cast<std::uint32_t>(begin));
-      list = std::span(own).first(n);
-    }
-  }
-  std::array<std::uint32_t, kBlock> own;
-  std::span<const std::uint32_t> list;
-};
-
-CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected,
-                               std::shared_ptr<const Whitening> whitening, std::vector<ParameterValues> shifts)
-    : ModelProblem(std::move(choice)),
-      points_(std::move(points)),
-      expected_(std::move(expected)),
-      whitening_(std::move(whitening)),
-      shifts_(std::move(shifts)) {
-  // The normal of the curve is taken at the place next to a reading, which noise along the curve has moved. As far as
-  // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
-  if (whitening_ && !whitening_->predicted_across().empty())
-    for (std::size_t i = 0; i < expected_.size(); ++i) expected_[i] *= 1 - 2 * whitening_->predicted_across()[i];
-  const std::size_t n = points_.size;
-  Workspace workspace(std::min(n, kBlock), 0);
-  const PointArrays block = workspace.points(std::min(n, kBlock));
-  const auto fill = [&](std::size_t rank) {
-    const std::size_t count = std::min(kBlock, n - rank);
-    points_.fill(Indices(*this, rank, count).list, block);
-    return count;
-  };
-  double areas = 0;
-  for (std::size_t i = 0; i < n; i += kBlock)
-    for (std::size_t k = 0, count = fill(i); k < count; ++k) areas += std::pow(block.A[k] / block.sigma_A[k], 2);
-  for (std::size_t i = 0; i < n && points_.has_places(); ++i) varies_ |= points_.at(i).place.has_own_constants();
-  sort_points();
-  double square = std::pow(std::sqrt(areas), 2);
-  for (std::size_t rank = 0; rank < n; rank += kBlock)
-    for (std::size_t k = 0, count = fill(rank); k < count; ++k) square += std::pow(block.T[k] / block.sigma_T[k], 2);
-  std::size_t run_before = 0;
-  for (std::size_t rank = 0; rank < n; ++rank) {
-    const std::size_t run = shifts_.empty() ? 0 : points_.at(index_of(rank)).run;
-    if (rank == 0 || rank - blocks_.back() == kBlock || run != run_before) blocks_.push_back(rank);
-    run_before = run;
-  }
-  data_norm_ = std::sqrt(square);
-  blocks_.push_back(n);
-  list_points();
-  if (n < 2 * kSample) return;
-  std::vector<MeasuredPoint> sample;
-  for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_.at(index_of(i * n / kSample)));
-  sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
-}
-
-/// Arrays are scaled faster than points that are made one by one; of millions they would be most of the memory.
-void CurveObjective::list_points() {
-  const std::size_t n = points_.size;
-  if (n >= kManyPoints || varies_) return;
-  listed_.resize(5 * n);
-  std::vector<double> near(2 * kBlock);
-  for (std::size_t rank = 0; rank < n; rank += kBlock) {
-    const std::size_t count = std::min(kBlock, n - rank);
-    const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * n + rank, count); };
-    points_.fill(Indices(*this, rank, count).list,
-                 {array(0), array(1), array(2), array(3), array(4), std::span(near).first(count),
-                  std::span(near).subspan(kBlock, count)});
-  }
-}
-
-/// Sorts by load, so that the points of one curve are processed together. Consecutive points with the same load are
-/// moved as one: a run is usually a single such block.
-void CurveObjective::sort_points() {
-  using Key = std::pair<std::size_t, double>;
-  struct Stretch {
-    Key key;
-    std::size_t begin;
-  };
-  std::vector<Stretch> stretches;
-  bool sorted = true;
-  Workspace workspace(std::min(points_.size, kBlock), 0);
-  const PointArrays block = workspace.points(std::min(points_.size, kBlock));
-  for (std::size_t i = 0; i < points_.size; ++i) {
-    if (i % kBlock == 0) points_.fill(Indices(*this, i, std::min(kBlock, points_.size - i)).list, block);
-    const Key key(shifts_.empty() ? 0 : points_.at(i).run, block.P[i % kBlock]);
-    if (!stretches.empty() && stretches.back().key == key) continue;
-    sorted &= stretches.empty() || stretches.back().key < key;
-    stretches.push_back({key, i});
-  }
-  if (sorted) return;
-  std::vector<std::size_t> by_key(stretches.size());
-  std::iota(by_key.begin(), by_key.end(), std::size_t{0});
-  std::stable_sort(by_key.begin(), by_key.end(),
-                   [&](std::size_t i, std::size_t j) { return stretches[i].key < stretches[j].key; });
-  order_.reserve(points_.size);
-  for (const std::size_t k : by_key) {
-    const std::size_t end = k + 1 < stretches.size() ? stretches[k + 1].begin : points_.size;
-    for (std::size_t i = stretches[k].begin; i < end; ++i) order_.push_back(static_cast<std::uint32_t>(i));
-  }
-}
 
 std::vector<double> CurveObjective::targets() const {
   std::vector<double> list(points_.size);
@@ -153,6 +36,7 @@ bool CurveObjective::evaluate(std::span<const double> x, std::span<double> resid
 
 bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                     std::vector<double>& memory) const {
+  if (near_) return residuals_of(x, residuals, jacobian, {});
   memory.resize(2 * points_.size, 0.0);
   return residuals_of(x, residuals, jacobian, memory);
 }
@@ -163,13 +47,29 @@ std::size_t CurveObjective::parts() const {
 
 bool CurveObjective::evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                                    std::vector<double>& jacobian) const {
+  return part_of(part, x, residuals, jacobian, nullptr);
+}
+
+bool CurveObjective::evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                                         std::vector<double>& jacobian, std::vector<double>& memory) const {
+  return part_of(part, x, residuals, jacobian, near_ ? nullptr : &memory);
+}
+
+bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                             std::vector<double>& jacobian, std::vector<double>* memory) const {
   if (parts() == 1) return Problem::evaluate_part(part, x, residuals, jacobian);
   const std::size_t begin = part * kBlocksOfAPart, end = std::min(begin + kBlocksOfAPart, blocks_.size() - 1),
                     first = blocks_[begin], n = blocks_[end] - first;
   residuals.resize(n);
   jacobian.resize(n * choice_.size());
-  if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, {}})) return false;
-  for (std::size_t i = 0; i < expected_.size() && i < n; ++i) residuals[i] -= expected_[index_of(first + i)];
+  std::span<double> places;
+  if (memory) {
+    memory->resize(2 * n, 0.0);
+    places = *memory;
+  }
+  if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, places})) return false;
+  for (std::size_t i = 0; expected_ && i < expected_->size() && i < n; ++i)
+    residuals[i] -= (*expected_)[index_of(first + i)];
   return true;
 }
 
@@ -195,7 +95,7 @@ bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> 
 }
 
 void CurveObjective::take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const {
-  for (std::size_t i = 0; i < expected_.size(); ++i) residuals[i] -= expected_[i];
+  for (std::size_t i = 0; expected_ && i < expected_->size(); ++i) residuals[i] -= (*expected_)[i];
   if (!whitening_) return;
   whitening_->apply(residuals);
   if (!jacobian.empty()) whiten(jacobian);
@@ -248,12 +148,13 @@ struct CurveObjective::Beside final : PointSource {
 std::optional<std::vector<double>> CurveObjective::expected(std::span<const double> x,
                                                             const NearestPlaces& places) const {
   const std::size_t n = points_.size;
-  std::vector<double> mean(n, 0.0), distances(n);
+  std::vector<double> mean(n, 0.0);
   const double root = 1.0;
   for (const double side : {-root, root}) {
-    if (!all_blocks(x, {n, std::make_shared<Beside>(points_, places, side)}, Search::global, {distances, {}, {}}))
+    Wanted wanted{mean, {}, {}};
+    wanted.halves = true;
+    if (!all_blocks(x, {n, std::make_shared<Beside>(points_, places, side)}, Search::global, wanted))
       return std::nullopt;
-    for (std::size_t i = 0; i < n; ++i) mean[i] += distances[i] / 2;
   }
   return mean;
 }
@@ -274,7 +175,7 @@ bool CurveObjective::some_blocks(std::span<const double> x, const MeasuredPoints
         defined = false;
     }
   };
-  run_on_threads(std::clamp<std::size_t>(n / kPointsOfAThread, 1, processors()), work);
+  run_on_idle_processors(n / kPointsOfAThread, work);
   return defined;
 }
 
@@ -336,8 +237,9 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   CurveDistances out{
       array(7), array(8), array(9), array(10), {workspace.values.get() + Workspace::kArrays * workspace.size, n * p}};
   if (!wanted.places.empty()) {
-    out.place_T = wanted.places.subspan(begin, n);
-    out.place_A = wanted.places.subspan(points.size + begin, n);
+    const std::size_t row = begin - range.first.value_or(0);
+    out.place_T = wanted.places.subspan(row, n);
+    out.place_A = wanted.places.subspan(wanted.places.size() / 2 + row, n);
   } else if (wanted.nearest) {
     out.place_T = array(11);
     out.place_A = array(12);
@@ -350,7 +252,10 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
                                !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
   const auto to = [&](std::size_t i) { return range.first ? begin + i - *range.first : index_of(begin + i); };
-  for (std::size_t i = 0; i < n; ++i) wanted.residuals[to(i)] = out.r[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    double& residual = wanted.residuals[to(i)];
+    residual = wanted.halves ? residual + out.r[i] / 2 : out.r[i];
+  }
   if (!wanted.jacobian.empty()) {
     std::size_t column = 0;
     for (const std::size_t parameter : choice_.of_model()) {

@@ -13,6 +13,8 @@ namespace mixity {
 
 class CurveObjective final : public ModelProblem {
  public:
+  /// What is subtracted from the distances, by point; null: nothing.
+  using Expected = std::shared_ptr<const std::vector<double>>;
   /// Standard errors must be > 0. Targets, from which the reported R^2 is computed, are the areas. A residual is the
   /// distance minus the `expected` one (empty: 0), decorrelated by `whitening` (null: unchanged). `shifts`: deviations
   /// of each run's model parameters from the common ones; empty: 0.
@@ -35,6 +37,8 @@ class CurveObjective final : public ModelProblem {
   std::size_t parts() const override;
   bool evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                      std::vector<double>& jacobian) const override;
+  bool evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                           std::vector<double>& jacobian, std::vector<double>& memory) const override;
   /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
@@ -47,6 +51,8 @@ class CurveObjective final : public ModelProblem {
   /// quadrature of order 3 over the noise along the curve, whose middle node contributes 0. Null where a value is not
   /// finite.
   std::optional<std::vector<double>> expected(std::span<const double> x, const NearestPlaces& places) const;
+  /// In place of the list given at first: that of millions of points is not copied.
+  void share_expected(Expected list) { expected_ = std::move(list); }
 
  private:
   struct Workspace;
@@ -55,6 +61,7 @@ class CurveObjective final : public ModelProblem {
   struct Wanted {
     std::span<double> residuals, jacobian, places;
     NearestPlaces* nearest = nullptr;
+    bool halves = false;  // adds half of each residual to what is there
   };
   /// A range of blocks. `first`: the rank of the point whose row is row 0; null: a point's row is its index.
   struct Range {
@@ -63,6 +70,10 @@ class CurveObjective final : public ModelProblem {
   };
   void sort_points();
   void list_points();
+  template <class Of>
+  double sum_of(double from, const Of& of) const;
+  bool part_of(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+               std::vector<double>& jacobian, std::vector<double>* memory) const;
   std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
   struct Indices;
   void whiten(std::span<double> jacobian) const;
@@ -83,12 +94,13 @@ class CurveObjective final : public ModelProblem {
 
   MeasuredPoints points_;
   std::vector<std::uint32_t> order_;  // the points by load, or by run where parameters are shifted; empty: as given
-  std::vector<double> expected_;
+  Expected expected_;
   std::shared_ptr<const Whitening> whitening_;
   std::vector<ParameterValues> shifts_;  // per run; empty: none
   std::vector<double> listed_;           // P, T, A and their errors by rank, if no run has constants of its own
   std::vector<std::size_t> blocks_;      // the rank at which each block begins, and the end of the last
   bool varies_ = false;                  // the constants differ from run to run
+  bool near_ = false;                    // the points know where the search for the nearest places begins
   double data_norm_ = 0;
   std::unique_ptr<CurveObjective> sample_;  // some of the points, evenly over the loads; null if there are few points
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/threads.h"
 #include "fitting/run_differences.h"
 #include "solver/robust.h"
 #include "statistics/distributions.h"
@@ -24,6 +25,20 @@ double square(double x) { return x * x; }
 std::size_t pool_of(std::size_t points, bool own) {
   constexpr std::size_t kRows = kManyPoints / 2;
   return points < kManyPoints || own ? 1 : points / kRows;
+}
+
+/// The rows that add(g, rows) makes of each run. Pooled rows are of one run, and their runs are handled in parallel.
+template <class Add>
+Deviations rows_of_runs(const PointsByRun& in_runs, std::size_t pool, const Add& add) {
+  Deviations rows(4, pool);
+  if (pool == 1) {
+    for (std::size_t g = 0; g < in_runs.runs(); ++g) add(g, rows);
+    return rows;
+  }
+  std::vector<Deviations> of_runs(in_runs.runs(), rows);
+  parallel_for(of_runs.size(), [&](std::size_t g) { add(g, of_runs[g]); });
+  for (const Deviations& one : of_runs) rows.append(one);
+  return rows;
 }
 
 /// Residuals limited to a few times their usual size, and the ratio of their sums of squares, before over after.
@@ -72,8 +87,7 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
                          std::span<const double> residuals, std::span<const double> leverages, const AxisErrors& T,
                          const AxisErrors& A, const ErrorModels& before, std::size_t pool) {
   constexpr double kMostLeverage = 0.9;  // a residual with a larger one says little about its error
-  Deviations rows(4, pool);
-  const auto add = [&](std::size_t i) {
+  const auto add = [&](std::size_t i, Deviations& rows) {
     const double share = 1 - leverages[i], r = residuals[i];
     if (share < 1 - kMostLeverage) return;
     const double alone = square(nearest.load_A[i]) * independence(before.correlations.first) +
@@ -85,32 +99,34 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
                                       factor * by_T * square(nearest.T[i])};
     rows.add(r * r / share, share * alone, fixed, shape);
   };
-  if (rows.pool > 1) {
-    for (const auto& run : used_runs(data, used).groups) std::for_each(run.begin(), run.end(), add);
-  } else {
-    for (std::size_t i = 0; i < residuals.size(); ++i) add(i);
+  if (pool > 1) {
+    const PointsByRun in_runs(data, used);
+    return rows_of_runs(in_runs, pool, [&](std::size_t g, Deviations& rows) {
+      for (std::size_t k = 0; k < in_runs.size(g); ++k) add(in_runs.at(g, k), rows);
+    });
   }
+  Deviations rows(4);
+  for (std::size_t i = 0; i < residuals.size(); ++i) add(i, rows);
   return rows;
 }
 
 /// The fraction of the variance of second differences that remains if neighbours correlate.
 double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
 
-/// Adds second differences of T's readings in each run; rows of different runs may alternate.
-void add_differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                          double least, const ErrorModels& before, Deviations& rows) {
+/// Second differences of T's readings in each run; rows of different runs may alternate.
+Deviations differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+                            double least, const ErrorModels& before, std::size_t pool) {
   constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
-  const UsedRuns in_runs = used_runs(data, used);
-  for (std::size_t g = 0; g < in_runs.groups.size(); ++g) {
-    const std::vector<std::size_t>& run = in_runs.groups[g];
-    const double factor = kept(before.correlations.second) * square(before.factor(in_runs.runs[g]));
-    const auto T = [&](std::size_t k) { return data.points[used[run[k]]].shear(); };
-    const auto place = [&](std::size_t k) { return square(nearest.T[run[k]]); };
-    for (std::size_t k = 2; k < run.size(); ++k) {
+  const PointsByRun in_runs(data, used);
+  return rows_of_runs(in_runs, pool, [&](std::size_t g, Deviations& rows) {
+    const double factor = kept(before.correlations.second) * square(before.factor(in_runs.run(g)));
+    const auto T = [&](std::size_t k) { return data.points[used[in_runs.at(g, k)]].shear(); };
+    const auto place = [&](std::size_t k) { return square(nearest.T[in_runs.at(g, k)]); };
+    for (std::size_t k = 2; k < in_runs.size(g); ++k) {
       const double d = T(k) - 2 * T(k - 1) + T(k - 2), squares = place(k) + 4 * place(k - 1) + place(k - 2);
       rows.add(d * d, kShare, 6 * least * least, std::array<double, 4>{0, 0, 6 * factor, squares * factor});
     }
-  }
+  });
 }
 
 /// Sum of the squared second differences of T divided by their variances under these errors without correlation, and
@@ -119,12 +135,9 @@ struct ReadingsOfT {
   double squares = 0, rows = 0;
 };
 
-ReadingsOfT readings_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                          const AxisErrors& T, ErrorModels models, std::size_t pool) {
+/// `differences`: of T, without correlation.
+ReadingsOfT readings_of_T(const Deviations& differences, const ErrorModels& models) {
   ReadingsOfT sum;
-  models.correlations = {};
-  Deviations differences(4, pool);
-  add_differences_of_T(data, used, nearest, T.least, models, differences);
   const ErrorModel now = models.T.value_or(ErrorModel{});
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const double variance = differences.fixed[i] + differences.shapes[2][i] * square(now.constant) +
@@ -275,7 +288,11 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   constexpr std::size_t kFewest = 12;  // residuals needed to estimate a correlation
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;
-  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(data, used, nearest, T, models, pool);
+  ErrorModels independent = models;
+  independent.correlations = {};
+  const Deviations differences =
+      T.known || ends ? Deviations(4) : differences_of_T(data, used, nearest, T.least, independent, pool);
+  const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(differences, models);
   const LimitedResiduals limits = limit(data, used, nearest.residuals);
   const std::vector<double>& residuals_used = limits.limited.empty() ? nearest.residuals : limits.limited;
   std::optional<Deciding> made;
@@ -300,7 +317,10 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
     made.reset();
     const Deviations residuals = residual_rows(data, used, nearest, residuals_used, leverages, T, A, models, pool);
     Deviations all = residuals;
-    if (!T.known && (choose || before.differences)) add_differences_of_T(data, used, nearest, T.least, models, all);
+    if (!T.known && (choose || before.differences))
+      all.append(differences.size() > 0 && !models.correlations.any()
+                     ? differences
+                     : differences_of_T(data, used, nearest, T.least, models, pool));
     std::optional<VarianceComponents> found;
     models.differences = all.size() > residuals.size();
     if (choose) {

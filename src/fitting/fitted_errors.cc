@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/threads.h"
 #include "fitting/run_differences.h"
 #include "fitting/whitening.h"
 
@@ -16,14 +17,13 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
   return some;
 }
 
-namespace {
-
-/// Whether the points of a fit are all of `n`, in their order.
 bool are_all(std::span<const std::size_t> used, std::size_t n) {
   bool all = used.size() == n;
   for (std::size_t i = 0; all && i < n; ++i) all = used[i] == i;
   return all;
 }
+
+namespace {
 
 /// Sets the elements of `all` at these points. Takes the array itself if these are all: each counts with millions.
 void put(std::span<const std::size_t> used, std::vector<double>&& some, std::size_t n, double otherwise,
@@ -63,12 +63,17 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, N
       for (std::size_t point = 0; point < sigma.size(); ++point)
         sigma[point] = error(point, std::abs(data.points[point].*reading));
     }
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      double& one = sigma[used[i]];
-      const double last = all ? one : before[used[i]];
-      one = error(used[i], at[i]);
-      change = std::max(change, std::abs(one / last - 1));
-    }
+    constexpr std::size_t kPart = 1 << 15;
+    std::vector<double> changes((used.size() + kPart - 1) / kPart);
+    parallel_for(changes.size(), [&](std::size_t part) {
+      for (std::size_t i = part * kPart; i < std::min(used.size(), (part + 1) * kPart); ++i) {
+        double& one = sigma[used[i]];
+        const double last = all ? one : before[used[i]];
+        one = error(used[i], at[i]);
+        changes[part] = std::max(changes[part], std::abs(one / last - 1));
+      }
+    });
+    for (const double one : changes) change = std::max(change, one);
   };
   evaluate(errors.model_T, !StandardErrors::is_known(errors.source_T), errors.step_T, &Point::T, nearest.T,
            kLeastError * largest_value(data, &Point::T), errors.T);
@@ -83,7 +88,7 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, N
 std::vector<double> variance_ratios(const Dataset& data, std::span<const std::size_t> used,
                                     const StandardErrors& errors) {
   std::vector<double> ratios(used.size(), 1.0);
-  if (!errors.scatter || errors.load_T.empty()) return ratios;
+  if (!errors.scatter || errors.load_A.empty()) return ratios;
   const auto by_reading = [&](ErrorSource source, double sigma, double value) {
     return StandardErrors::is_known(source) ? 1 : std::pow(*errors.scatter * value / sigma, 2);
   };
@@ -91,7 +96,7 @@ std::vector<double> variance_ratios(const Dataset& data, std::span<const std::si
     const std::size_t k = used[i];
     const double T = by_reading(errors.source_T, errors.T[k], data.points[k].shear()),
                  A = by_reading(errors.source_A, errors.A[k], data.points[k].A);
-    ratios[i] = 1 / (std::pow(errors.load_T[k], 2) * T + std::pow(errors.load_A[k], 2) * A);
+    ratios[i] = 1 / (errors.square_of_load_T(k) * T + std::pow(errors.load_A[k], 2) * A);
   }
   return ratios;
 }

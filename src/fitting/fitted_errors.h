@@ -23,6 +23,9 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, N
 std::vector<double> variance_ratios(const Dataset& data, std::span<const std::size_t> used,
                                     const StandardErrors& errors);
 
+/// Whether these are the points 0 to n - 1 in their order.
+bool are_all(std::span<const std::size_t> used, std::size_t n);
+
 /// The elements of `all` at these points; empty if `all` is.
 std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used);
 

@@ -1,8 +1,10 @@
 // Standard errors that depend on the fit: a fit and its errors are found in turn.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
+#include "base/threads.h"
 #include "fitting/consistency.h"
 #include "fitting/course.h"
 #include "fitting/curve_objective.h"
@@ -21,6 +23,11 @@ void weigh_as_student(std::vector<double>& residuals) {
   if (!(spread(residuals) > 0)) return;
   const StudentErrors errors = student_errors(residuals, false);
   for (double& r : residuals) r *= std::sqrt((errors.freedom + 1) / (errors.freedom + std::pow(r / errors.scale, 2)));
+}
+
+/// Gives their memory back.
+void drop(std::initializer_list<std::vector<double>*> lists) {
+  for (std::vector<double>* const list : lists) *list = std::vector<double>();
 }
 
 /// For the minimum of one round: the rest is left to the next.
@@ -140,12 +147,13 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       quick.most_iterations = quick.most_iterations_shown = kNextIterations;
     }
     std::vector<double> leverage;
+    // With millions of points each array counts, and these are found anew below.
+    const bool lean = many && !errors.correlations.any();
+    if (lean) drop({&errors.load_T, &errors.load_A});
     auto nearest = nearest_and_leverages(x, leverage);
+    if (lean && nearest) drop({&errors.place_T, &errors.place_A});
     auto expected = nearest ? static_cast<const CurveObjective&>(*problem_).expected(x, *nearest) : std::nullopt;
     if (!expected) return true;
-    // With millions of points each array counts, and these are found anew below.
-    if (many && !errors.correlations.any())
-      for (std::vector<double>* const list : {&errors.load_T, &errors.load_A}) *list = std::vector<double>();
     double freedom = 0;
     for (const double one : leverage) freedom += 1 - one;
     double change = take_expected_off(*expected, freedom, *nearest);
@@ -198,7 +206,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     errors.freedom = known ? 0 : freedom * independence(models.correlations);
     change = std::max(change, evaluate_errors(data_, prepared_.used, std::move(*nearest), errors));
     nearest.reset();
-    leverage = std::vector<double>();
+    drop({&leverage});
+    if (many && !errors.correlations.any()) drop({&errors.load_T});
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     last_change = change;
@@ -254,9 +263,7 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   if (!expected) return false;
   double squares = 0, of_expected = 0;
   for (const double r : nearest->residuals) squares += r * r;
-  // With millions of points, each array counts.
-  for (std::vector<double>* const list : {&nearest->residuals, &nearest->load_T, &nearest->load_A})
-    *list = std::vector<double>();
+  drop({&nearest->residuals, &nearest->load_T, &nearest->load_A});  // with millions of points, each array counts
   const double noise = std::min(1.0, squares / static_cast<double>(expected->size()));
   for (double& one : *expected) of_expected += std::pow(one *= noise, 2);
   if (of_expected < kCurvatureMatters) return false;
@@ -273,11 +280,14 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
 /// The nearest places, and the leverages of the data's residuals. Null where they are not defined.
 std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<double>& x,
                                                            std::vector<double>& leverage) const {
+  constexpr std::size_t kPart = 1 << 15;
   const std::size_t n = prepared_.used.size(), p = x.size();
   std::vector<double> jacobian(n * p);
   auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x, jacobian);
-  leverage.assign(n, 0.0);
-  if (!nearest || x.empty()) return nearest;
+  if (!nearest || x.empty()) {
+    leverage.assign(n, 0.0);
+    return nearest;
+  }
   std::vector<double> weights;  // of the priors, 0 without one
   for (const FreeParameter& one : problem_->parameters()) weights.push_back(one.prior > 0 ? 1 / one.prior : 0);
   const auto J = as_matrix(jacobian, p);
@@ -285,15 +295,33 @@ std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<dou
     Eigen::MatrixXd all(J.rows() + J.cols(), J.cols());
     all << J, Eigen::MatrixXd(as_vector(weights).asDiagonal());
     const Eigen::VectorXd found = leverages(std::move(all));
-    std::copy_n(found.begin(), n, leverage.begin());
+    leverage.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n));
     return nearest;
   }
-  Eigen::MatrixXd H = J.transpose() * J;
+  const auto rows_of = [&](std::size_t part) {
+    return J.middleRows(static_cast<Eigen::Index>(part * kPart),
+                        static_cast<Eigen::Index>(std::min(kPart, n - part * kPart)));
+  };
+  std::vector<Eigen::MatrixXd> products((n + kPart - 1) / kPart);  // sums of fixed parts do not depend on the threads
+  parallel_for(products.size(), [&](std::size_t part) { products[part] = rows_of(part).transpose() * rows_of(part); });
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(J.cols(), J.cols());
+  for (const Eigen::MatrixXd& one : products) H += one;
   H.diagonal() += as_vector(weights).cwiseAbs2();
   const Eigen::MatrixXd inverse = solve_columns(H, Eigen::MatrixXd::Identity(H.rows(), H.cols()));
   if (!inverse.allFinite()) return std::nullopt;
-  for (Eigen::Index i = 0; i < J.rows(); ++i)
-    leverage[static_cast<std::size_t>(i)] = J.row(i).dot(inverse * J.row(i).transpose());
+  if (p == 1) {  // in place
+    leverage = std::move(jacobian);
+    parallel_for(products.size(), [&](std::size_t part) {
+      for (std::size_t i = part * kPart; i < std::min(n, (part + 1) * kPart); ++i)
+        leverage[i] *= inverse(0, 0) * leverage[i];
+    });
+    return nearest;
+  }
+  leverage.resize(n);
+  parallel_for(products.size(), [&](std::size_t part) {
+    const Eigen::VectorXd found = (rows_of(part) * inverse).cwiseProduct(rows_of(part)).rowwise().sum();
+    std::copy(found.begin(), found.end(), leverage.begin() + static_cast<std::ptrdiff_t>(part * kPart));
+  });
   return nearest;
 }
 

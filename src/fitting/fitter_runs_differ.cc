@@ -47,18 +47,19 @@ bool any_differs(const RunRows& rows, const Groups& groups, double rest) {
 std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
                                                          std::vector<double>& leverage, const ErrorModels& models,
                                                          bool& apart) const {
-  const Groups groups = used_runs(data_, prepared_.used).groups;
+  const PointsByRun in_runs(data_, prepared_.used);
   const bool may_be_memory = prepared_.errors->correlations.any() && !apart;
-  if (groups.size() < 2 || groups.size() > kMostRuns || may_be_memory) return {};
+  if (in_runs.runs() < 2 || in_runs.runs() > kMostRuns || may_be_memory) return {};
   const std::vector<std::string> names{tested_quantities(data_, prepared_).front(),
                                        std::string(kConstantNames[kAreaScale])};
   if (prepared_.used.size() >= kManyPoints && !apart && !prepared_.errors->correlations.any()) {
-    const auto sums = summed_run_rows(data_, options_, prepared_, groups, x, nearest.residuals, names, 1);
+    const auto sums = summed_run_rows(data_, options_, prepared_, in_runs, x, nearest.residuals, names, 1);
     const double rest = static_cast<double>(prepared_.used.size() + prior_count(*problem_) - x.size());
     if (!sums || !any_differs(sums->rows, sums->groups, rest)) return {};
   }
   const auto rows = run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
   if (!rows) return {};
+  const Groups groups = used_runs(data_, prepared_.used).groups;
   if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models);
   if (!apart) return {};
   const Eigen::VectorXd spread = free_spreads(*rows, groups);
@@ -136,10 +137,8 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
 void Fitter::test_runs(const std::vector<double>& x) {
   result_.run_tests.clear();
   const bool curves = prepared_.objective == Objective::curve && data_.has_loads && prepared_.errors;
-  UsedRuns in_runs = used_runs(data_, prepared_.used);
-  Groups& groups = in_runs.groups;
-  const std::vector<std::size_t>& runs = in_runs.runs;
-  if (!curves || groups.size() < 2 || groups.size() > kMostRuns || robust_) return;
+  const PointsByRun in_runs(data_, prepared_.used);
+  if (!curves || in_runs.runs() < 2 || in_runs.runs() > kMostRuns || robust_) return;
   auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
   if (!nearest) return;
   std::vector<double> residuals = std::move(nearest->residuals);
@@ -155,13 +154,15 @@ void Fitter::test_runs(const std::vector<double>& x) {
   const bool judged_by_scatter = !known || scatter > 1;
   if (!(unit > 0)) return;
   std::optional<RunRows> rows;
+  Groups groups;
   if (residuals.size() >= kManyPoints && !prepared_.errors->correlations.any() && !prepared_.errors->runs.any()) {
-    if (auto sums = summed_run_rows(data_, options_, prepared_, groups, x, residuals, tested, unit)) {
+    if (auto sums = summed_run_rows(data_, options_, prepared_, in_runs, x, residuals, tested, unit)) {
       rows = std::move(sums->rows);
       groups = std::move(sums->groups);
     }
   } else {
     rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
+    groups = used_runs(data_, prepared_.used).groups;
   }
   if (!rows) return;
   // Removes what is already fitted by run.
@@ -173,6 +174,8 @@ void Fitter::test_runs(const std::vector<double>& x) {
     for (Eigen::Index k = 0; k < rows->Zw.cols(); ++k) take_off->apply({rows->Zw.col(k).data(), data});
   }
   widen_by_jackknife(*rows, groups);
+  std::vector<std::size_t> runs;
+  for (std::size_t g = 0; g < in_runs.runs(); ++g) runs.push_back(in_runs.run(g));
   std::vector<double> course;
   for (const std::size_t run : runs)
     course.push_back(static_cast<double>(run) / static_cast<double>(data_.curves.size() - 1) - 0.5);

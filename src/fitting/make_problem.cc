@@ -40,27 +40,34 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     std::vector<std::size_t> used{};  // empty: all, in their order
     std::optional<PointPlaces> places{};
     std::vector<PointPlace> runs{};
-    bool near = false;  // whether the places of the fit so far are known
+    bool near = false;  // whether the places of the fit so far may be used
 
+    bool has_near() const { return near && !errors->place_T.empty(); }
     bool has_places() const override { return places.has_value(); }
     void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
-      for (std::size_t k = 0; k < indices.size(); ++k) {
-        const std::size_t i = used.empty() ? indices[k] : used[indices[k]];
-        to.P[k] = data.points[i].P;
-        to.T[k] = data.shear_as_read(i);
-        to.A[k] = data.points[i].A;
-        to.sigma_T[k] = errors ? errors->T[i] : 1;
-        to.sigma_A[k] = errors ? errors->A[i] : 1;
-        to.near_T[k] = near ? errors->place_T[i] : 0;
-        to.near_A[k] = near ? errors->place_A[i] : 0;
+      const bool all = used.empty(), reversed = !data.shear_reversed.empty(), places_known = has_near();
+      const std::size_t n = indices.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        const Point& point = data.points[all ? indices[k] : used[indices[k]]];
+        to.P[k] = point.P;
+        to.T[k] = reversed ? data.sign_of_shear(point.curve) * point.T : point.T;
+        to.A[k] = point.A;
       }
+      const auto copy = [&](const std::vector<double>& list, std::span<double> array) {
+        for (std::size_t k = 0; k < n; ++k) array[k] = list[all ? indices[k] : used[indices[k]]];
+      };
+      const auto set = [&](double value, std::span<double> array) { std::fill_n(array.begin(), n, value); };
+      errors ? copy(errors->T, to.sigma_T) : set(1, to.sigma_T);
+      errors ? copy(errors->A, to.sigma_A) : set(1, to.sigma_A);
+      places_known ? copy(errors->place_T, to.near_T) : set(0, to.near_T);
+      places_known ? copy(errors->place_A, to.near_A) : set(0, to.near_A);
     }
     MeasuredPoint at(std::size_t k) const override {
       const std::size_t i = used.empty() ? k : used[k];
       const Point& p = data.points[i];
       MeasuredPoint point{p.P, data.shear_as_read(i), p.A, errors ? errors->T[i] : 1, errors ? errors->A[i] : 1};
       point.run = p.curve;
-      if (near) {
+      if (has_near()) {
         point.near_T = errors->place_T[i];
         point.near_A = errors->place_A[i];
       }
@@ -76,10 +83,8 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   };
   const auto shared = std::make_shared<Source>(data, prepared.errors);
   Source& source = *shared;
-  bool all = true;
-  for (std::size_t k = 0; all && k < prepared.used.size(); ++k) all = prepared.used[k] == k;
-  if (!all) source.used = prepared.used;
-  source.near = data.points.size() >= kManyPoints && prepared.errors && !prepared.errors->place_T.empty();
+  if (!are_all(prepared.used, prepared.used.size())) source.used = prepared.used;
+  source.near = data.points.size() >= kManyPoints && prepared.errors;
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
   const std::size_t n = prepared.used.size();
@@ -127,7 +132,8 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   FreeChoice choice = choice_of_model(prepared);
   double largest_load = 1, largest_shear = 1,
          smallest_area = prepared.used.empty() ? 1 : std::numeric_limits<double>::infinity();
-  for (const std::size_t i : prepared.used) {
+  for (std::size_t k = 0; k < (prepared.fitted.empty() ? 0 : prepared.used.size()); ++k) {
+    const std::size_t i = prepared.used[k];
     largest_load = std::max(largest_load, std::abs(data.points[i].P));
     largest_shear = std::max(largest_shear, data.points[i].shear());
     smallest_area = std::min(smallest_area, data.points[i].A);
@@ -188,9 +194,15 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
     problem = std::make_unique<EnergyObjective>(points, choice_of_model(prepared), toughness);
   } else if (prepared.objective == Objective::curve) {
     const StandardErrors none, &errors = prepared.errors ? *prepared.errors : none;
-    problem = std::make_unique<CurveObjective>(
-        measured_points(data, prepared), free_choice(data, prepared), taken_off(data, prepared.used, errors),
+    // Of millions of points the list in the errors serves as it is.
+    const bool share = prepared.used.size() >= kManyPoints && are_all(prepared.used, errors.expected.size()) &&
+                       options.by_run.empty() && !errors.runs.any() && !errors.correlations.any();
+    auto objective = std::make_unique<CurveObjective>(
+        measured_points(data, prepared), free_choice(data, prepared),
+        share ? std::vector<double>() : taken_off(data, prepared.used, errors),
         whitening_of(data, prepared.used, errors), shifts_of_runs(data, prepared, errors.runs));
+    if (share) objective->share_expected({prepared.errors, &errors.expected});
+    problem = std::move(objective);
   } else if (!prepared.fitted.empty() && data.has_loads) {
     problem = std::make_unique<ToughnessOfLoads>(measured_points(data, prepared), free_choice(data, prepared),
                                                  std::move(weights));

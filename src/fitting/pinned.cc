@@ -74,14 +74,18 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
   if (fit.objective != Objective::curve || !fit.errors || fit.errors->A.empty()) return false;
   const auto weight = [&](std::size_t i) { return 1 / std::pow(fit.errors->A[fit.used[i]], 2); };
   double excess = 0;
-  for (const auto& run : used_runs(data, fit.used).groups) {
+  const PointsByRun runs(data, fit.used);
+  for (std::size_t g = 0; g < runs.runs(); ++g) {
     double weights = 0, mean = 0;
-    for (const std::size_t i : run) {
+    for (std::size_t k = 0; k < runs.size(g); ++k) {
+      const std::size_t i = runs.at(g, k);
       weights += weight(i);
       mean += weight(i) / weights * (data.points[fit.used[i]].A - mean);
     }
-    for (const std::size_t i : run)
+    for (std::size_t k = 0; k < runs.size(g); ++k) {
+      const std::size_t i = runs.at(g, k);
       excess += weight(i) * std::pow(data.points[fit.used[i]].A - mean, 2) - residuals[i] * residuals[i];
+    }
   }
   const double worth = independent_points(fit) / static_cast<double>(fit.used.size());
   return excess / std::pow(residual_unit(fit), 2) * worth > kAboutAsWell;
@@ -92,9 +96,13 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
 bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A) {
   constexpr double kEnough = 5, kEnoughInAll = 10;  // points in a run; degrees of freedom in all
   double lines = 0, freedom = 0, slopes = 0, sizes = 0, falls = 0, squares = 0, products = 0;
-  for (const auto& points : used_runs(data, used).groups) {
+  const PointsByRun runs(data, used);
+  for (std::size_t g = 0; g < runs.runs(); ++g) {
     AreasOfRun run;
-    for (const std::size_t k : points) run.add(data.points[used[k]], sigma_A.empty() ? 0 : sigma_A[used[k]]);
+    for (std::size_t k = 0; k < runs.size(g); ++k) {
+      const std::size_t point = used[runs.at(g, k)];
+      run.add(data.points[point], sigma_A.empty() ? 0 : sigma_A[point]);
+    }
     if (run.points() < kEnough || !run.fit_line()) continue;
     ++lines;
     freedom += run.points() - 2;

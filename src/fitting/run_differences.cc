@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/threads.h"
 #include "fitting/fitted_errors.h"
 #include "solver/linear_algebra.h"
 #include "statistics/distributions.h"
@@ -23,6 +25,25 @@ UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used) {
   return list;
 }
 
+PointsByRun::PointsByRun(const Dataset& data, std::span<const std::size_t> used) : begins_{0} {
+  const auto run_of = [&](std::size_t i) { return data.points[used[i]].curve; };
+  std::vector<std::size_t> next(std::max<std::size_t>(data.curves.size(), 1));
+  bool sorted = true;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    ++next[run_of(i)];
+    sorted &= i == 0 || run_of(i - 1) <= run_of(i);
+  }
+  for (std::size_t run = 0; run < next.size(); ++run) {
+    const std::size_t size = std::exchange(next[run], begins_.back());
+    if (size == 0) continue;
+    runs_.push_back(run);
+    begins_.push_back(begins_.back() + size);
+  }
+  if (sorted) return;
+  order_.resize(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) order_[next[run_of(i)]++] = static_cast<std::uint32_t>(i);
+}
+
 std::vector<std::string> tested_quantities(const Dataset& data, const PreparedFit& prepared) {
   std::vector<std::string> list;
   const auto infos = prepared.model.parameters();
@@ -41,9 +62,21 @@ struct Widened {
   std::vector<double> x;
 };
 
+/// A copy of all but the points, whose indices may be millions.
+PreparedFit without_points(const PreparedFit& fit) {
+  PreparedFit copy{fit.model, fit.objective};
+  copy.base = fit.base;
+  copy.held = fit.held;
+  copy.errors = fit.errors;
+  copy.constants = fit.constants;
+  copy.fitted = fit.fitted;
+  return copy;
+}
+
+/// Has no points.
 Widened with_quantities(const PreparedFit& prepared, const std::vector<double>& x,
                         const std::vector<std::string>& quantities) {
-  Widened wide{prepared, x};
+  Widened wide{without_points(prepared), x};
   // Only their slopes are used, on which expected distances do not act: of independent points the errors serve as they
   // are, and of millions no list is copied.
   if (prepared.errors->correlations.any() || prepared.errors->runs.any()) {
@@ -52,7 +85,6 @@ Widened with_quantities(const PreparedFit& prepared, const std::vector<double>& 
     errors.runs.spreads.clear();  // their shifts remain
     errors.expected.clear();
   }
-  wide.prepared.start.clear();
   for (const std::string& name : quantities) {
     const auto constant = constant_named(name);
     const bool fitted = std::any_of(prepared.fitted.begin(), prepared.fitted.end(),
@@ -99,7 +131,8 @@ void add_priors(const std::vector<FreeParameter>& parameters, const std::vector<
 std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
                                 const std::vector<double>& x, const std::vector<double>& residuals,
                                 const std::vector<std::string>& quantities, double unit) {
-  const auto [all, beside] = with_quantities(prepared, x, quantities);
+  auto [all, beside] = with_quantities(prepared, x, quantities);
+  all.used = prepared.used;
   const auto problem = make_problem(data, options, all);
   const std::size_t n = problem->residual_count(), width = beside.size(), p = x.size();
   std::vector<double> bare(n), jacobian(n * width);
@@ -132,43 +165,53 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
 }
 
 std::optional<SummedRows> summed_run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
-                                          const Groups& groups, const std::vector<double>& x,
+                                          const PointsByRun& points, const std::vector<double>& x,
                                           const std::vector<double>& residuals,
                                           const std::vector<std::string>& quantities, double unit) {
   constexpr std::size_t kAtOnce = kManyPoints / 2;
-  auto [all, beside] = with_quantities(prepared, x, quantities);
-  all.used = std::vector<std::size_t>();  // of millions of points, which need their memory elsewhere
+  const Widened wide = with_quantities(prepared, x, quantities);
   const auto p = static_cast<Eigen::Index>(x.size()), effects = static_cast<Eigen::Index>(quantities.size()),
              width = p + effects + 1;
-  Eigen::MatrixXd triangles(static_cast<Eigen::Index>(groups.size()) * width, width);
-  SummedRows sums;
-  std::vector<double> bare, jacobian;
+  struct Piece {
+    std::size_t group, begin;
+    Eigen::MatrixXd triangle{};  // of its rows; empty where a value is not finite
+  };
+  std::vector<Piece> pieces;
   std::vector<FreeParameter> parameters;
-  for (const std::vector<std::size_t>& group : groups) {
-    Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(width, width);
-    for (std::size_t begin = 0; begin < group.size(); begin += kAtOnce) {
-      const std::size_t n = std::min(kAtOnce, group.size() - begin);
-      all.used.clear();
-      for (std::size_t i = 0; i < n; ++i) all.used.push_back(prepared.used[group[begin + i]]);
-      const auto problem = make_problem(data, options, all);
-      parameters = problem->parameters();
-      const std::vector<Eigen::Index> of_quantities = columns_of(parameters, quantities);
-      bare.resize(n);
-      jacobian.resize(n * beside.size());
-      if (of_quantities.size() != quantities.size() || !problem->evaluate(beside, bare, jacobian)) return std::nullopt;
-      Eigen::MatrixXd stack(width + static_cast<Eigen::Index>(n), width);
-      stack.topRows(width) = triangle;
-      auto rows = stack.bottomRows(static_cast<Eigen::Index>(n));
-      const auto whole = as_matrix(jacobian, beside.size());
-      rows.leftCols(p) = whole.leftCols(p) / unit;
-      for (Eigen::Index q = 0; q < effects; ++q)
-        rows.col(p + q) = whole.col(of_quantities[static_cast<std::size_t>(q)]) / unit;
-      for (std::size_t i = 0; i < n; ++i)
-        rows(static_cast<Eigen::Index>(i), width - 1) = residuals[group[begin + i]] / unit;
-      triangle = qr_triangle(std::move(stack));
+  for (std::size_t g = 0; g < points.runs(); ++g)
+    for (std::size_t begin = 0; begin < points.size(g); begin += kAtOnce) pieces.push_back({g, begin});
+  const auto reduce = [&](Piece& piece) {
+    const auto index = [&](std::size_t i) { return points.at(piece.group, piece.begin + i); };
+    const std::size_t n = std::min(kAtOnce, points.size(piece.group) - piece.begin), columns = wide.x.size();
+    PreparedFit some = wide.prepared;
+    for (std::size_t i = 0; i < n; ++i) some.used.push_back(prepared.used[index(i)]);
+    const auto problem = make_problem(data, options, some);
+    const std::vector<Eigen::Index> of_quantities = columns_of(problem->parameters(), quantities);
+    std::vector<double> bare(n), jacobian(n * columns);
+    if (of_quantities.size() != quantities.size() || !problem->evaluate(wide.x, bare, jacobian)) return;
+    const auto whole = as_matrix(jacobian, columns);
+    Eigen::MatrixXd rows(whole.rows(), width);
+    rows.leftCols(p) = whole.leftCols(p) / unit;
+    for (Eigen::Index q = 0; q < effects; ++q)
+      rows.col(p + q) = whole.col(of_quantities[static_cast<std::size_t>(q)]) / unit;
+    for (std::size_t i = 0; i < n; ++i) rows(static_cast<Eigen::Index>(i), width - 1) = residuals[index(i)] / unit;
+    piece.triangle = qr_triangle(std::move(rows));
+    if (&piece == pieces.data()) parameters = problem->parameters();
+  };
+  parallel_for(pieces.size(), [&](std::size_t k) { reduce(pieces[k]); });
+  Eigen::MatrixXd triangles(static_cast<Eigen::Index>(points.runs()) * width, width);
+  SummedRows sums;
+  for (std::size_t k = 0; k < pieces.size();) {
+    const std::size_t g = pieces[k].group, first_piece = k;
+    while (k < pieces.size() && pieces[k].group == g) {
+      if (pieces[k].triangle.size() == 0) return std::nullopt;
+      ++k;
     }
-    const auto first = static_cast<Eigen::Index>(sums.groups.size()) * width;
-    triangles.middleRows(first, width) = triangle;
+    Eigen::MatrixXd stack(static_cast<Eigen::Index>(k - first_piece) * width, width);
+    for (std::size_t i = first_piece; i < k; ++i)
+      stack.middleRows(static_cast<Eigen::Index>(i - first_piece) * width, width) = pieces[i].triangle;
+    const auto first = static_cast<Eigen::Index>(g) * width;
+    triangles.middleRows(first, width) = qr_triangle(std::move(stack));
     std::vector<std::size_t>& list = sums.groups.emplace_back();
     for (Eigen::Index i = 0; i < width; ++i) list.push_back(static_cast<std::size_t>(first + i));
   }

@@ -1,7 +1,9 @@
 // Quantities that differ from run to run: the model's first parameter, or a constant of the experiment.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,23 @@ struct UsedRuns {
 };
 UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used);
 
+/// The same for many points: needs no memory for them where the runs follow one another as they are numbered.
+class PointsByRun {
+ public:
+  PointsByRun(const Dataset& data, std::span<const std::size_t> used);
+  std::size_t runs() const { return runs_.size(); }
+  std::size_t run(std::size_t g) const { return runs_[g]; }  // index into Dataset::curves
+  std::size_t size(std::size_t g) const { return begins_[g + 1] - begins_[g]; }
+  /// The k-th point of a run, as an index into `used`.
+  std::size_t at(std::size_t g, std::size_t k) const {
+    return order_.empty() ? begins_[g] + k : order_[begins_[g] + k];
+  }
+
+ private:
+  std::vector<std::size_t> runs_, begins_;
+  std::vector<std::uint32_t> order_;
+};
+
 /// The residuals of a fit linearised in its parameters and in quantities that may differ between runs.
 struct RunRows {
   Eigen::MatrixXd J;      // rows of the data, then of the priors
@@ -31,13 +50,14 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
                                 const std::vector<std::string>& quantities, double unit);
 
 /// The same for many points whose neighbours are independent: a few rows for each run with the same sums of squares and
-/// products, one run after the other, so that no array has to hold those of all points. `groups`: of used_runs.
+/// products, one run after the other, so that no array has to hold those of all points. They do not depend on the
+/// number of threads.
 struct SummedRows {
   RunRows rows;  // without Z
   Groups groups;
 };
 std::optional<SummedRows> summed_run_rows(const Dataset& data, const FitOptions& options, const PreparedFit& prepared,
-                                          const Groups& groups, const std::vector<double>& x,
+                                          const PointsByRun& points, const std::vector<double>& x,
                                           const std::vector<double>& residuals,
                                           const std::vector<std::string>& quantities, double unit);
 

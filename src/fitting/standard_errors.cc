@@ -7,6 +7,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "base/threads.h"
 #include "statistics/readings.h"
 #include "statistics/steps.h"
 
@@ -28,12 +29,13 @@ class Slopes {
     }
   }
 
-  double at(std::size_t k) const {
+  /// Each k must be at least as large as the one before.
+  double at(std::size_t k) {
     const std::size_t beside = T_.size() / 20;
     const double reach = (T_.back() - T_.front()) / 20;
-    const auto begin = static_cast<std::size_t>(std::lower_bound(T_.begin(), T_.end(), T_[k] - reach) - T_.begin()),
-               end = static_cast<std::size_t>(std::upper_bound(T_.begin(), T_.end(), T_[k] + reach) - T_.begin());
-    const std::size_t first = std::min(begin, k - std::min(k, beside)), last = std::max(end, k + beside + 1);
+    while (T_[begin_] < T_[k] - reach) ++begin_;
+    while (end_ < T_.size() && T_[end_] <= T_[k] + reach) ++end_;
+    const std::size_t first = std::min(begin_, k - std::min(k, beside)), last = std::max(end_, k + beside + 1);
     const Sums &low = sums_[first - std::min<std::size_t>(first, 1)], &high = sums_[std::min(last + 1, T_.size())];
     const auto n = static_cast<double>(&high - &low);
     const double T = high.T - low.T, A = high.A - low.A, spread = high.TT - low.TT - T * T / n;
@@ -46,6 +48,7 @@ class Slopes {
   };
   std::vector<double> T_;
   std::vector<Sums> sums_;  // of the points before each one
+  std::size_t begin_ = 0, end_ = 0;
 };
 
 /// Relative error s common to T and A. The middle of three neighbours in T deviates from their chord by e = A - w
@@ -54,8 +57,11 @@ class Slopes {
 std::optional<double> relative_scatter(const Dataset& data) {
   constexpr double kMedianOfChiSquare = 0.454936423119573;  // of one degree of freedom
   constexpr double kLeast = 1e-9;
-  std::vector<double> ratios;
-  for (auto& run : points_by_curve(data)) {
+  std::vector<std::vector<std::size_t>> runs = points_by_curve(data);
+  std::vector<std::vector<double>> of_runs(runs.size());
+  const auto find_ratios = [&](std::size_t which) {
+    std::vector<std::size_t> run = std::move(runs[which]);
+    std::vector<double>& ratios = of_runs[which];
     // repeated rows carry no information about errors
     const auto key = [&](std::size_t i) {
       return std::tuple(data.points[i].shear(), data.points[i].A, data.points[i].P);
@@ -64,11 +70,13 @@ std::optional<double> relative_scatter(const Dataset& data) {
               [&](std::size_t i, std::size_t j) { return std::tuple(key(i), i) < std::tuple(key(j), j); });
     run.erase(std::unique(run.begin(), run.end(), [&](std::size_t i, std::size_t j) { return key(i) == key(j); }),
               run.end());
-    std::sort(run.begin(), run.end(), [&](std::size_t i, std::size_t j) {
-      return std::tuple(data.points[i].shear(), i) < std::tuple(data.points[j].shear(), j);
-    });
-    if (run.size() < 3) continue;
-    const Slopes slopes(data, run);
+    for (auto begin = run.begin(), end = begin; begin != run.end();
+         begin = end) {  // of the same T by place in the file
+      while (end != run.end() && data.points[*end].shear() == data.points[*begin].shear()) ++end;
+      std::sort(begin, end);
+    }
+    if (run.size() < 3) return;
+    Slopes slopes(data, run);
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const Point &low = data.points[run[i - 1]], &mid = data.points[run[i]], &high = data.points[run[i + 1]];
       const double width = high.shear() - low.shear();
@@ -78,6 +86,15 @@ std::optional<double> relative_scatter(const Dataset& data) {
       const auto variance = [&](const Point& q) { return q.A * q.A + slope * slope * q.T * q.T; };
       ratios.push_back(e * e / (variance(mid) + w * w * variance(low) + (1 - w) * (1 - w) * variance(high)));
     }
+  };
+  if (data.points.size() < kManyPoints)
+    for (std::size_t run = 0; run < runs.size(); ++run) find_ratios(run);
+  else
+    parallel_for(runs.size(), find_ratios);
+  std::vector<double> ratios;
+  for (std::vector<double>& one : of_runs) {
+    ratios.insert(ratios.end(), one.begin(), one.end());
+    one = std::vector<double>();
   }
   if (ratios.size() < 3) return std::nullopt;
   return std::max(std::sqrt(median(std::move(ratios)) / kMedianOfChiSquare), kLeast);

@@ -1,6 +1,7 @@
 // Standard errors of measured loads and areas: from the file's columns, from flags, or from the scatter of the points.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -69,7 +70,12 @@ struct StandardErrors {
     const auto part = [](double step, double sigma, double load) {
       return step * step / 12 * load * load / (sigma * sigma);
     };
-    return !load_T.empty() && part(step_T, T[point], load_T[point]) + part(step_A, A[point], load_A[point]) > kPart;
+    return !load_A.empty() &&
+           part(step_T, T[point], std::sqrt(square_of_load_T(point))) + part(step_A, A[point], load_A[point]) > kPart;
+  }
+  /// load_T^2; of many points with independent noise load_T is not stored.
+  double square_of_load_T(std::size_t point) const {
+    return load_T.empty() ? std::max(1 - load_A[point] * load_A[point], 0.0) : load_T[point] * load_T[point];
   }
   /// True if the size of the errors is known, not only their proportions.
   bool absolute() const { return is_known(source_A); }

@@ -2,33 +2,83 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <span>
+#include <vector>
 
+#include "base/threads.h"
 #include "solver/linear_algebra.h"
 
 namespace mixity {
 namespace {
 
-/// The cost of any problem, from its residuals and Jacobian.
+/// The cost of any problem, from its residuals and Jacobian. Of several parts each is summed apart, and then their
+/// sums: the result does not depend on how many threads there are, and no array has all rows.
 class GeneralCost final : public Cost {
  public:
   explicit GeneralCost(const Problem& problem)
-      : problem_(problem),
-        residuals_(problem.residual_count()),
-        jacobian_(problem.residual_count() * problem.parameters().size()) {}
+      : problem_(problem), parts_(problem.parts()), memories_(parts_ > 1 ? parts_ : 0) {}
 
   void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
-    const auto p = static_cast<Eigen::Index>(x.size());
+    clear(x.size(), cost);
+    if (parts_ > 1 && weights.empty()) return sum_parts(x, cost);
+    residuals_.resize(problem_.residual_count());
+    jacobian_.resize(problem_.residual_count() * x.size());
+    cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
+    if (cost.finite) sum(residuals_, jacobian_, weights, cost);
+    finish(cost);
+  }
+
+  void keep() override {
+    kept_ = memory_;
+    kept_memories_ = memories_;
+  }
+  void restore() override {
+    memory_ = kept_;
+    memories_ = kept_memories_;
+  }
+
+ private:
+  static void clear(std::size_t parameters, CostValue& cost) {
+    const auto p = static_cast<Eigen::Index>(parameters);
     cost.value = 0;
     cost.gradient.setZero(p);
     cost.hessian.setZero(p, p);
-    cost.finite = problem_.evaluate_again(x, residuals_, jacobian_, memory_);
-    if (!cost.finite) return;
-    if (p == 1) return sum<1>(weights, cost);
-    if (p == 2) return sum<2>(weights, cost);
-    if (p == 3) return sum<3>(weights, cost);
-    const auto J = as_matrix(jacobian_, x.size());
-    const auto r = as_vector(residuals_);
+    cost.finite = true;
+  }
+
+  void sum_parts(std::span<const double> x, CostValue& cost) {
+    std::vector<CostValue> sums(parts_);
+    std::atomic<std::size_t> next = 0;
+    run_on_idle_processors(parts_, [&] {
+      std::vector<double> residuals, jacobian;
+      for (std::size_t part; (part = next++) < parts_;) {
+        CostValue& one = sums[part];
+        clear(x.size(), one);
+        one.finite = problem_.evaluate_part_again(part, x, residuals, jacobian, memories_[part]);
+        if (one.finite) sum(residuals, jacobian, {}, one);
+      }
+    });
+    for (const CostValue& one : sums) {
+      cost.value += one.value;
+      cost.gradient += one.gradient;
+      cost.hessian += one.hessian;
+      cost.finite &= one.finite;
+    }
+    if (!cost.finite)  // how far other blocks had come may depend on the threads
+      for (std::vector<double>& memory : memories_) memory.clear();
+    finish(cost);
+  }
+
+  static void sum(std::span<const double> residuals, std::span<const double> jacobian, std::span<const double> weights,
+                  CostValue& cost) {
+    const Eigen::Index p = cost.gradient.size();
+    if (p == 1) return sum_few<1>(residuals, jacobian, weights, cost);
+    if (p == 2) return sum_few<2>(residuals, jacobian, weights, cost);
+    if (p == 3) return sum_few<3>(residuals, jacobian, weights, cost);
+    const auto J = as_matrix(jacobian, static_cast<std::size_t>(p));
+    const auto r = as_vector(residuals);
     if (weights.empty()) {
       cost.value = r.squaredNorm();
       cost.gradient.noalias() = J.transpose() * r;
@@ -40,22 +90,18 @@ class GeneralCost final : public Cost {
       cost.gradient.noalias() = WJ.transpose() * r;
       cost.hessian.noalias() = WJ.transpose() * J;
     }
-    finish(cost);
   }
 
-  void keep() override { kept_ = memory_; }
-  void restore() override { memory_ = kept_; }
-
- private:
   /// For few parameters: Eigen's products of such narrow matrices need several times as long.
   template <int kCount>
-  void sum(std::span<const double> weights, CostValue& cost) const {
+  static void sum_few(std::span<const double> residuals, std::span<const double> jacobian,
+                      std::span<const double> weights, CostValue& cost) {
     std::array<double, kCount> gradient{};
     std::array<std::array<double, kCount>, kCount> hessian{};
     double value = 0;
-    for (std::size_t i = 0; i < residuals_.size(); ++i) {
-      const double w = weights.empty() ? 1 : weights[i], r = residuals_[i];
-      const double* const row = jacobian_.data() + i * kCount;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+      const double w = weights.empty() ? 1 : weights[i], r = residuals[i];
+      const double* const row = jacobian.data() + i * kCount;
       value += w * r * r;
       for (std::size_t k = 0; k < kCount; ++k) {
         gradient[k] += w * r * row[k];
@@ -69,16 +115,18 @@ class GeneralCost final : public Cost {
         cost.hessian(k, l) =
             hessian[static_cast<std::size_t>(std::max(k, l))][static_cast<std::size_t>(std::min(k, l))];
     }
-    finish(cost);
   }
 
   static void finish(CostValue& cost) {
+    if (!cost.finite) return;
     cost.slope_size = cost.hessian.diagonal().cwiseSqrt();
     cost.finite = std::isfinite(cost.value) && cost.gradient.allFinite() && cost.hessian.allFinite();
   }
 
   const Problem& problem_;
+  std::size_t parts_;
   std::vector<double> residuals_, jacobian_, memory_, kept_;
+  std::vector<std::vector<double>> memories_, kept_memories_;  // of the parts
 };
 
 }  // namespace

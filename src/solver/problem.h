@@ -90,6 +90,11 @@ class Problem {
     jacobian.resize(residual_count() * x.size());
     return evaluate(x, residuals, jacobian);
   }
+  /// The same with the memory of this part, as evaluate_again has it. Several threads may evaluate different parts.
+  virtual bool evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                                   std::vector<double>& jacobian, std::vector<double>& /* memory */) const {
+    return evaluate_part(part, x, residuals, jacobian);
+  }
   /// For the search for starts: cheap residuals, right to about a factor of two. Some points, always the same, may be
   /// left out (0).
   virtual bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {

@@ -33,6 +33,12 @@ class RobustProblem final : public WrappedProblem {
     change(x, residuals, jacobian);
     return true;
   }
+  bool evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
+                           std::vector<double>& jacobian, std::vector<double>& memory) const override {
+    if (!problem_.evaluate_part_again(part, x, residuals, jacobian, memory)) return false;
+    change(x, residuals, jacobian);
+    return true;
+  }
 
   /// d^2(rho/2)/dr^2 divided by the squared slope of the new residual; 0 for Huber's outliers, negative for Cauchy's.
   std::vector<double> curvatures(std::span<const double> x) const override {

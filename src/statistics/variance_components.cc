@@ -121,6 +121,17 @@ void Deviations::add(double square, double share, double fixed_part, std::span<c
   for (std::size_t k = 0; k < components; ++k) shapes[k].push_back(shape[k]);
 }
 
+void Deviations::append(const Deviations& other) {
+  const auto join = [](std::vector<double>& list, const std::vector<double>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  };
+  join(squares, other.squares);
+  join(shares, other.shares);
+  join(fixed, other.fixed);
+  for (std::size_t k = 0; k < components; ++k) join(shapes[k], other.shapes[k]);
+  added = 0;  // the next row begins anew
+}
+
 double log_likelihood(const Deviations& rows, std::span<const double> theta) {
   Vector all{};
   std::copy(theta.begin(), theta.end(), all.begin());

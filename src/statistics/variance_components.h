@@ -21,6 +21,8 @@ struct Deviations {
   /// `share`: the weight of the row; 1 for an independent one, 1 - leverage for a residual, whose `square` must then
   /// have been divided by it. `shape`: one value >= 0 per component.
   void add(double square, double share, double fixed, std::span<const double> shape);
+  /// Adds the rows of another, of as many components, as they are.
+  void append(const Deviations& other);
   std::size_t size() const { return squares.size(); }
 
   std::size_t components, pool, added = 0;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace mixity {
@@ -27,6 +29,41 @@ TEST(RunOnThreads, CallsAsManyTimesAsThereAreThreadsAndOnceAtLeast) {
     run_on_threads(static_cast<std::size_t>(threads), [&] { ++calls; });
     EXPECT_EQ(calls, std::max(threads, 1));
   }
+}
+
+/// The most calls that run at once.
+template <class Start>
+int most_at_once(const Start& start) {
+  std::atomic<int> now = 0, most = 0;
+  start([&] {
+    const int here = ++now;
+    for (int before = most; before < here && !most.compare_exchange_weak(before, here);) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    --now;
+  });
+  return most;
+}
+
+TEST(RunOnIdleProcessors, StartsNoThreadInsideWorkThatHasAllProcessors) {
+  const BusyProcessors but_three(static_cast<std::ptrdiff_t>(processors()) - 3);
+  for (const std::size_t outer : {1, 2, 3, 5}) {
+    const int most = most_at_once([&](const auto& wait) {
+      parallel_for(outer, [&](std::size_t) { parallel_for(20, [&](std::size_t) { wait(); }); });
+    });
+    EXPECT_LE(most, 3) << outer;
+    EXPECT_GE(most, 2) << outer;
+  }
+  const BusyProcessors others(2);
+  EXPECT_EQ(most_at_once([&](const auto& wait) { parallel_for(20, [&](std::size_t) { wait(); }); }), 1);
+}
+
+TEST(RunOnIdleProcessors, HasItsProcessorsBackAfterEachCallAndEachException) {
+  const std::ptrdiff_t before = threads_detail::idle();
+  const BusyProcessors more(-2);
+  run_on_threads(4, [] {});
+  parallel_for(10, [](std::size_t) {});
+  EXPECT_THROW(parallel_for(10, [](std::size_t) { throw std::runtime_error("each"); }), std::runtime_error);
+  EXPECT_EQ(threads_detail::idle(), before + 2);
 }
 
 }  // namespace threads_test

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
+#include "base/threads.h"
 #include "fitting/curve_objective.h"
 #include "fitting/fit.h"
 #include "fitting/fitted_errors.h"
@@ -144,7 +146,8 @@ TEST(ManyPoints, HaveSumsOfRunsWithTheProductsOfAllRows) {
   const std::vector<std::string> names = tested_quantities(data, prepared);
   const auto rows = run_rows(data, options, prepared, x, fit.residuals, names, 2);
   const Groups groups = used_runs(data, prepared.used).groups;
-  const auto sums = summed_run_rows(data, options, prepared, groups, x, fit.residuals, names, 2);
+  const auto sums =
+      summed_run_rows(data, options, prepared, PointsByRun(data, prepared.used), x, fit.residuals, names, 2);
   ASSERT_TRUE(rows && sums);
   const GroupedRows whole = grouped_rows(rows->J, rows->r, rows->Zw, groups),
                     few = grouped_rows(sums->rows.J, sums->rows.r, sums->rows.Zw, sums->groups);
@@ -160,6 +163,62 @@ TEST(ManyPoints, HaveSumsOfRunsWithTheProductsOfAllRows) {
     same(whole.groups[g].J_Z, few.groups[g].J_Z);
     EXPECT_LT((whole.groups[g].Z_r - few.groups[g].Z_r).norm(),
               1e-12 * std::sqrt(whole.groups[g].Z_Z.norm() * whole.r_r));
+  }
+}
+
+/// All numbers of a fit that its points decide.
+std::vector<double> numbers_of(const FitResult& fit) {
+  std::vector<double> list{fit.sum_of_squares, fit.log_variances, fit.r2.value_or(0), fit.standard_error};
+  for (const FittedParameter& one : fit.parameters) {
+    list.insert(list.end(), {one.value.value_or(0), one.stderr_.value_or(0)});
+    if (one.interval) list.insert(list.end(), {one.interval->low.value_or(0), one.interval->high.value_or(0)});
+  }
+  if (fit.evidence) list.push_back(fit.evidence->evidence.log_evidence);
+  if (fit.budget)
+    for (const ExactConstant& one : fit.budget->exact)
+      list.insert(list.end(),
+                  {one.effect.value_or(0), one.score ? one.score->p_value : 0, one.score ? one.score->fall : 0});
+  for (const RunTest& one : fit.run_tests) list.insert(list.end(), {one.all.fall, one.odd.fall, one.drift.fall});
+  const StandardErrors& errors = *fit.errors;
+  for (const auto* const some : {&fit.residuals, &fit.innovations, &errors.T, &errors.A, &errors.place_T,
+                                 &errors.place_A, &errors.load_T, &errors.load_A, &errors.expected})
+    list.insert(list.end(), some->begin(), some->end());
+  return list;
+}
+
+/// Sums are of parts of the points that do not depend on the threads.
+TEST(ManyPoints, HaveTheSameFitToTheLastBitOnOneThreadAndOnSeveral) {
+  const Dataset data = many_points();
+  ASSERT_GT(data.points.size(), kManyPoints);
+  FitOptions two;
+  two.free = {kToughness};
+  for (const FitOptions& options : {FitOptions(), two}) {
+    const auto fitted = [&](std::ptrdiff_t busy) {
+      const BusyProcessors others(busy);
+      return fit_and_test(data, "c", options);
+    };
+    const FitResult one = fitted(static_cast<std::ptrdiff_t>(processors())), three = fitted(-2);
+    ASSERT_TRUE(one.budget && !one.run_tests.empty());
+    EXPECT_EQ(numbers_of(one), numbers_of(three));
+  }
+}
+
+/// The points of a run need no list where the runs follow one another, and have one where they alternate.
+TEST(ManyPoints, AreFoundByRunInAnyOrder) {
+  const Dataset data = measured_runs(3, {}, 40);
+  std::vector<std::size_t> used(data.points.size());
+  std::iota(used.begin(), used.end(), std::size_t{0});
+  for (const std::size_t stride : {1, 7}) {
+    std::vector<std::size_t> some;
+    for (std::size_t k = 0; k < used.size(); ++k) some.push_back(used[k * stride % used.size()]);
+    const UsedRuns lists = used_runs(data, some);
+    const PointsByRun same(data, some);
+    ASSERT_EQ(same.runs(), lists.groups.size());
+    for (std::size_t g = 0; g < same.runs(); ++g) {
+      EXPECT_EQ(same.run(g), lists.runs[g]);
+      ASSERT_EQ(same.size(g), lists.groups[g].size());
+      for (std::size_t k = 0; k < same.size(g); ++k) EXPECT_EQ(same.at(g, k), lists.groups[g][k]);
+    }
   }
 }
 

@@ -1,0 +1,127 @@
+// Prepares the points of a CurveObjective: their order, their blocks, and the norm of the data.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/threads.h"
+#include "fitting/curve_blocks.h"
+#include "fitting/curve_objective.h"
+
+namespace mixity {
+
+CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected,
+                               std::shared_ptr<const Whitening> whitening, std::vector<ParameterValues> shifts)
+    : ModelProblem(std::move(choice)),
+      points_(std::move(points)),
+      whitening_(std::move(whitening)),
+      shifts_(std::move(shifts)) {
+  // The normal of the curve is taken at the place next to a reading, which noise along the curve has moved. As far as
+  // the points before predict that noise, the prediction of the residual is off by -2 times the expected distance.
+  if (whitening_ && !whitening_->predicted_across().empty())
+    for (std::size_t i = 0; i < expected.size(); ++i) expected[i] *= 1 - 2 * whitening_->predicted_across()[i];
+  if (!expected.empty()) expected_ = std::make_shared<std::vector<double>>(std::move(expected));
+  const std::size_t n = points_.size;
+  near_ = n >= kManyPoints && points_.at(0).near_A > 0;
+  const double areas =
+      sum_of(0, [](const PointArrays& block, std::size_t k) { return std::pow(block.A[k] / block.sigma_A[k], 2); });
+  for (std::size_t i = 0; i < n && points_.has_places(); ++i) varies_ |= points_.at(i).place.has_own_constants();
+  sort_points();
+  data_norm_ = std::sqrt(sum_of(std::pow(std::sqrt(areas), 2), [](const PointArrays& block, std::size_t k) {
+    return std::pow(block.T[k] / block.sigma_T[k], 2);
+  }));
+  std::size_t run_before = 0;
+  for (std::size_t rank = 0; rank < n; rank += shifts_.empty() ? kBlock : 1) {
+    const std::size_t run = shifts_.empty() ? 0 : points_.at(index_of(rank)).run;
+    if (rank == 0 || rank - blocks_.back() == kBlock || run != run_before) blocks_.push_back(rank);
+    run_before = run;
+  }
+  blocks_.push_back(n);
+  list_points();
+  if (n < 2 * kSample) return;
+  std::vector<MeasuredPoint> sample;
+  for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_.at(index_of(i * n / kSample)));
+  sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
+}
+
+/// The sum over all points by rank, from parts of fixed length: it does not depend on the number of threads.
+template <class Of>
+double CurveObjective::sum_of(double from, const Of& of) const {
+  constexpr std::size_t kPart = kBlock * kBlocksOfAPart;
+  const std::size_t n = points_.size;
+  std::vector<double> sums((n + kPart - 1) / kPart);
+  if (!sums.empty()) sums[0] = from;
+  parallel_for(sums.size(), [&](std::size_t part) {
+    Workspace workspace(std::min(n, kBlock), 0);
+    const std::size_t end = std::min(n, (part + 1) * kPart);
+    for (std::size_t rank = part * kPart; rank < end; rank += kBlock) {
+      const std::size_t count = std::min(kBlock, end - rank);
+      const PointArrays block = workspace.points(count);
+      points_.fill(Indices(*this, rank, count).list, block);
+      for (std::size_t k = 0; k < count; ++k) sums[part] += of(block, k);
+    }
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+/// Arrays are scaled faster than points that are made one by one; of millions they would be most of the memory.
+void CurveObjective::list_points() {
+  const std::size_t n = points_.size;
+  if (n >= kManyPoints || varies_) return;
+  listed_.resize(5 * n);
+  std::vector<double> near(2 * kBlock);
+  for (std::size_t rank = 0; rank < n; rank += kBlock) {
+    const std::size_t count = std::min(kBlock, n - rank);
+    const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * n + rank, count); };
+    points_.fill(Indices(*this, rank, count).list,
+                 {array(0), array(1), array(2), array(3), array(4), std::span(near).first(count),
+                  std::span(near).subspan(kBlock, count)});
+  }
+}
+
+/// Sorts by load, so that the points of one curve are processed together. Consecutive points with the same load are
+/// moved as one: a run is usually a single such block.
+void CurveObjective::sort_points() {
+  using Key = std::pair<std::size_t, double>;
+  struct Stretch {
+    Key key;
+    std::size_t begin;
+  };
+  constexpr std::size_t kPart = kBlock * kBlocksOfAPart;
+  const std::size_t n = points_.size;
+  std::vector<std::vector<Stretch>> parts((n + kPart - 1) / kPart);
+  parallel_for(parts.size(), [&](std::size_t part) {
+    Workspace workspace(std::min(n, kBlock), 0);
+    const std::size_t end = std::min(n, (part + 1) * kPart);
+    for (std::size_t begin = part * kPart; begin < end; begin += kBlock) {
+      const std::size_t count = std::min(kBlock, end - begin);
+      const PointArrays block = workspace.points(count);
+      points_.fill(Indices(*this, begin, count).list, block);
+      for (std::size_t k = 0; k < count; ++k) {
+        const Key key(shifts_.empty() ? 0 : points_.at(begin + k).run, block.P[k]);
+        if (parts[part].empty() || parts[part].back().key != key) parts[part].push_back({key, begin + k});
+      }
+    }
+  });
+  std::vector<Stretch> stretches;
+  bool sorted = true;
+  for (const auto& part : parts)
+    for (const Stretch& one : part) {
+      if (!stretches.empty() && stretches.back().key == one.key) continue;
+      sorted &= stretches.empty() || stretches.back().key < one.key;
+      stretches.push_back(one);
+    }
+  if (sorted) return;
+  std::vector<std::size_t> by_key(stretches.size());
+  std::iota(by_key.begin(), by_key.end(), std::size_t{0});
+  std::stable_sort(by_key.begin(), by_key.end(),
+                   [&](std::size_t i, std::size_t j) { return stretches[i].key < stretches[j].key; });
+  order_.reserve(points_.size);
+  for (const std::size_t k : by_key) {
+    const std::size_t end = k + 1 < stretches.size() ? stretches[k + 1].begin : points_.size;
+    for (std::size_t i = stretches[k].begin; i < end; ++i) order_.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+}  // namespace mixity
