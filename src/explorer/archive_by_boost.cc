@@ -1,5 +1,5 @@
 // What stands for dataset/table/archive.cc in a browser, which has no minizip: the directory of a zip file, and its
-// parts unpacked by Boost.Beast. Limits and sentences are those of archive.cc.
+// parts unpacked by Boost.Beast.
 #include <algorithm>
 #include <boost/beast/zlib/inflate_stream.hpp>
 #include <boost/crc.hpp>
@@ -130,39 +130,18 @@ bool Archive::holds(const std::string& part) const {
 }
 
 void Archive::read(const std::string& part, const std::function<bool(std::string_view)>& use) const {
-  constexpr std::size_t kOrdinary = std::size_t{1} << 26, kMostRatio = 500;
   const Directory& zip = Directory::of(zip_.get());
   const auto found = zip.parts.find(in_lower_case(part));
-  if (found == zip.parts.end())
-    throw InputError(path_, "is damaged: its part '" + printable(part, 60) + "' is missing; save it again");
+  if (found == zip.parts.end()) refuse_missing(part);
   const Directory::Part& about = found->second;
-  const auto refuse = [&](const std::string& what) {
-    throw InputError(path_, what + "; save the sheet that holds the data as CSV");
-  };
-  if (about.size > most_) refuse("unpacks to more than " + std::to_string(most_ >> 20) + " MB");
-  if (about.size > kOrdinary && about.size / kMostRatio > about.packed)
-    refuse("unpacks to more than " + std::to_string(kMostRatio) + " times its size, as no measurement does");
-  if (about.flags & 1U) refuse("is protected by a password");
-  if (about.method != 0 && about.method != 8)
-    refuse("is packed by an unknown method (" + std::to_string(about.method) + ")");
+  require_readable({about.packed, about.size, about.flags, about.method});
   try {
     unpack(zip.packed(about), about, use);
   } catch (const std::length_error& error) {
     refuse(error.what());
   } catch (const std::out_of_range&) {
-    throw InputError(path_, "is damaged (part '" + printable(part, 60) + "'); save or copy it again");
+    refuse_damaged(part);
   }
-}
-
-std::string Archive::read(const std::string& part) const {
-  std::string text;
-  read(part, [&](std::string_view piece) {
-    text += piece;
-    if (text.size() > kMostText)
-      throw InputError(path_, "is damaged: its part '" + printable(part, 60) + "' is too large");
-    return true;
-  });
-  return text;
 }
 
 }  // namespace mixity

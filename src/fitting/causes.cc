@@ -214,10 +214,8 @@ double misfit(const FitResult& fit) {
 }
 
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {
-  constexpr std::size_t kSome = 200;
-  // If a cause does not explain a sample of many points, it does not explain all, except in one case of ten thousand.
-  const Points some = thinned(points, kSome);
-  const bool many = points.size() >= 2 * kSome;
+  const Points some = thinned(points, kTriedFirst);
+  const bool many = worth_a_sample(points);
   const auto explained = [&](const Cause& one) {
     const bool lost = one.kind == Cause::Kind::runs &&
                       !(one.fit.errors && one.fit.errors->runs.any() && one.fit.errors->runs.spreads.back() > 0);

@@ -96,9 +96,8 @@ bool sliding_is_tried(const Case& of, const Points& points) {
 
 /// The fit without the ends of the runs if it explains the points; of many points a sample is tried first.
 std::optional<FitResult> explained_without_ends(const Case& of, const FitResult& whole, const Points& points) {
-  constexpr std::size_t kSome = 200;
   const auto explained = [&](const FitResult& without) { return is_found(without) && explains(of.data, without); };
-  if (points.size() >= 2 * kSome && !explained(without_ends(of, whole, thinned(points, kSome)))) return std::nullopt;
+  if (worth_a_sample(points) && !explained(without_ends(of, whole, thinned(points, kTriedFirst)))) return std::nullopt;
   FitResult without = without_ends(of, whole, points);
   return explained(without) ? std::optional(std::move(without)) : std::nullopt;
 }

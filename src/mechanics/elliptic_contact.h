@@ -247,7 +247,6 @@ class EllipticContact {
     const auto found = newton_at(T, edge_load_at(from.phi), from.q);
     if (!found) return false;
     marks_.push_back({from.phi, found->second, T, 0, std::numeric_limits<double>::infinity()});
-    at_large_T_ = true;
     return true;
   }
 
@@ -273,7 +272,7 @@ class EllipticContact {
   }
 
   EllipseState between(const Mark& low, const Mark& high, double T) const {
-    if (at_large_T_ && !std::isfinite(high.T_slope)) {
+    if (!std::isfinite(high.T_slope)) {  // of walk_in_T
       const auto found = newton_at(T, edge_load_at(high.phi), high.q);
       return found ? state(found->first + P_, found->second, T) : EllipseState{EquilibriumStatus::invalid};
     }
@@ -313,7 +312,7 @@ class EllipticContact {
   double P_, S0_, poisson_ratio_;
   double per_square_[2];  // T'^2 over T^2
   double small_[2];       // tau^2/T'^2 at T -> 0
-  bool uncoupled_ = false, at_large_T_ = false;
+  bool uncoupled_ = false;
   std::vector<Mark> marks_;
   std::optional<EllipseBranchEnd> end_{};
 };

@@ -65,10 +65,6 @@ double highest(const Function& f) {
   return highest_between(f, kTried[best > 0 ? best - 1 : 0], kTried[std::min(best + 1, kTried.size() - 1)], kBits);
 }
 
-}  // namespace
-
-namespace {
-
 /// Kalman's filter of a run: the covariance of u and v predicted from the deviations before, and what a deviation says.
 struct Filter {
   const TwoProcesses& processes;

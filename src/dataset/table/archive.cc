@@ -46,10 +46,6 @@ struct Stream {
   static int error(void*, void* file) { return of(file).ended; }
 };
 
-std::string damaged(const std::string& part) {
-  return "is damaged (part '" + printable(part, 60) + "'); save or copy it again";
-}
-
 }  // namespace
 
 Archive::Archive(const std::string& path, std::string_view bytes, std::size_t most)
@@ -65,45 +61,22 @@ bool Archive::holds(const std::string& part) const {
 }
 
 void Archive::read(const std::string& part, const std::function<bool(std::string_view)>& use) const {
-  constexpr std::uint64_t kOrdinary = std::uint64_t{1} << 26, kMostRatio = 500;
   constexpr std::size_t kPiece = std::size_t{1} << 20;
-  constexpr uLong kLocked = 1;
   unz_file_info64 about;
-  if (!holds(part))
-    throw InputError(path_, "is damaged: its part '" + printable(part, 60) + "' is missing; save it again");
-  const auto refuse = [&](const std::string& what) {
-    throw InputError(path_, what + "; save the sheet that holds the data as CSV");
-  };
-  if (unzGetCurrentFileInfo64(zip_.get(), &about, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
-    throw InputError(path_, damaged(part));
-  if (about.uncompressed_size > most_) refuse("unpacks to more than " + std::to_string(most_ >> 20) + " MB");
-  if (about.uncompressed_size > kOrdinary && about.uncompressed_size / kMostRatio > about.compressed_size)
-    refuse("unpacks to more than " + std::to_string(kMostRatio) + " times its size, as no measurement does");
-  if (about.flag & kLocked) refuse("is protected by a password");
-  if (about.compression_method != 0 && about.compression_method != Z_DEFLATED)
-    refuse("is packed by an unknown method (" + std::to_string(about.compression_method) + ")");
-  if (unzOpenCurrentFile(zip_.get()) != UNZ_OK) throw InputError(path_, damaged(part));
+  if (!holds(part)) refuse_missing(part);
+  if (unzGetCurrentFileInfo64(zip_.get(), &about, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK) refuse_damaged(part);
+  require_readable({about.compressed_size, about.uncompressed_size, about.flag, about.compression_method});
+  if (unzOpenCurrentFile(zip_.get()) != UNZ_OK) refuse_damaged(part);
   std::unique_ptr<void, int (*)(void*)> opened(zip_.get(), &unzCloseCurrentFile);
   std::string piece(kPiece, '\0');
   for (std::uint64_t total = 0;;) {
     const int length = unzReadCurrentFile(zip_.get(), piece.data(), kPiece);
     if (length == 0 && total == about.uncompressed_size) break;
-    if (length <= 0) throw InputError(path_, damaged(part));
+    if (length <= 0) refuse_damaged(part);
     total += static_cast<std::uint64_t>(length);
     if (!use(std::string_view(piece).substr(0, static_cast<std::size_t>(length)))) return;
   }
-  if (unzCloseCurrentFile(opened.release()) != UNZ_OK) throw InputError(path_, damaged(part));
-}
-
-std::string Archive::read(const std::string& part) const {
-  std::string text;
-  read(part, [&](std::string_view piece) {
-    text += piece;
-    if (text.size() > kMostText)
-      throw InputError(path_, "is damaged: its part '" + printable(part, 60) + "' is too large");
-    return true;
-  });
-  return text;
+  if (unzCloseCurrentFile(opened.release()) != UNZ_OK) refuse_damaged(part);
 }
 
 }  // namespace mixity

@@ -1,7 +1,9 @@
-// Zip files in memory, unpacked by minizip.
+// Zip files in memory, unpacked by minizip, on the page by Boost. Both share the limits and sentences of
+// part_limits.cc.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -27,6 +29,16 @@ class Archive {
   std::string read(const std::string& part) const;
 
  private:
+  struct Part {
+    std::uint64_t packed, size;  // bytes
+    unsigned long flags, method;
+  };
+  /// Throws InputError if the part is locked, packed in an unknown way, or suspiciously large.
+  void require_readable(const Part& part) const;
+  [[noreturn]] void refuse(const std::string& what) const;
+  [[noreturn]] void refuse_missing(const std::string& part) const;
+  [[noreturn]] void refuse_damaged(const std::string& part) const;
+
   std::string path_;
   std::size_t most_;
   std::unique_ptr<void, int (*)(void*)> zip_;
