@@ -18,11 +18,14 @@ template <class... Law>
 std::variant<Law..., std::shared_ptr<const UserLaw>> variant_of(std::tuple<Law...>);
 }  // namespace any_law_detail
 
+struct EllipticModel;
+
 /// A published law, or one that was defined at run time. Immutable.
 struct AnyLaw {
   decltype(any_law_detail::variant_of(Models{})) value;
   const ModelInfo& info;
   std::span<const ParameterInfo> parameters;
+  std::shared_ptr<const EllipticModel> ellipse{};  // of elliptic contacts; info and parameters are then its own
 };
 
 using ParameterSpan = std::span<const double>;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mechanics/any_law.h"
+#include "mechanics/elliptic_model.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/laws/known_laws.h"
 #include "mechanics/packed_toughness.h"
@@ -14,8 +15,9 @@ namespace mixity {
 std::optional<ContactModel> ContactModel::find(std::string_view key) {
   for (const ContactModel& model : published())
     if (model.info().key == key) return model;
-  const std::shared_ptr<const UserLaw> law = find_law(key);
-  return law ? std::optional(ContactModel(law)) : std::nullopt;
+  if (const std::shared_ptr<const UserLaw> law = find_law(key)) return ContactModel(law);
+  if (const std::shared_ptr<const AnyLaw> law = elliptic_law(key)) return ContactModel(law);
+  return std::nullopt;
 }
 
 const std::vector<ContactModel>& ContactModel::published() {
@@ -36,7 +38,14 @@ ContactModel::ContactModel(std::shared_ptr<const UserLaw> law)
 const ModelInfo& ContactModel::info() const { return law_->info; }
 std::span<const ParameterInfo> ContactModel::parameters() const { return law_->parameters; }
 
+bool ContactModel::is_elliptic() const { return law_->ellipse != nullptr; }
+
+std::optional<EndParameters> ContactModel::ends_of(ParameterSpan p) const {
+  return law_->ellipse ? std::optional(elliptic::ends_of(*law_->ellipse, p)) : std::nullopt;
+}
+
 std::string_view ContactModel::obstacle(ParameterSpan p, double P) const {
+  if (law_->ellipse) return elliptic::obstacle(*law_->ellipse, p, P);
   return with_law(*law_, p, [&](const auto& law, const auto& values) { return contact_obstacle(law, values, P); });
 }
 
@@ -51,6 +60,7 @@ std::string ContactModel::problem(ParameterSpan p, double P) const {
 }
 
 void ContactModel::make_continuous(std::span<double> p) const {
+  if (law_->ellipse) return elliptic::make_continuous(*law_->ellipse, p);
   with_law(*law_, p, [&]([[maybe_unused]] const auto& law, const auto& values) {
     if constexpr (requires { law.continuous(values); }) {
       const auto next = law.continuous(values);
@@ -61,7 +71,7 @@ void ContactModel::make_continuous(std::span<double> p) const {
 
 void ContactModel::toughness_ratios(std::span<const Values> p, Values psi, std::span<double> f) const {
   std::fill(f.begin(), f.end(), std::numeric_limits<double>::quiet_NaN());
-  if (p.size() != parameters().size()) return;
+  if (p.size() != parameters().size() || law_->ellipse) return;
   with_law(*law_, [&]<class Law>(const Law& law) {
     for (std::size_t i = 0; i < f.size(); ++i) {
       const auto values = parameters_at<Law>(p, i);
@@ -73,6 +83,7 @@ void ContactModel::toughness_ratios(std::span<const Values> p, Values psi, std::
 
 void ContactModel::log_toughness(ParameterSpan p, std::span<const Mixity<double>> at, std::span<double> value,
                                  std::span<double> gradient) const {
+  if (law_->ellipse) return std::fill(value.begin(), value.end(), std::numeric_limits<double>::quiet_NaN());
   with_law(*law_, p, [&](const auto& law, const auto& values) {
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (gradient.empty()) {
@@ -88,7 +99,7 @@ void ContactModel::log_toughness(ParameterSpan p, std::span<const Mixity<double>
 }
 
 bool ContactModel::has_packed_form() const {
-  return with_law(*law_, []<class Law>(const Law&) { return HasPackedForm<Law>; });
+  return !law_->ellipse && with_law(*law_, []<class Law>(const Law&) { return HasPackedForm<Law>; });
 }
 
 PackedMixities ContactModel::packed(std::span<const Mixity<double>> at) const {

@@ -56,8 +56,17 @@ struct Equilibria {
 /// Cheap to copy; may be used on several threads at once. Spans of parameters hold as many values as parameters().
 class ContactModel {
  public:
-  /// The published model with this key, or the law that was defined with it (define_law); null if there is none.
+  /// The published model with this key, or the law that was defined with it (define_law); with "-ellipse" or
+  /// "-ellipse-equal" behind it, of elliptic contacts (elliptic_model.h). Null if there is none.
   static std::optional<ContactModel> find(std::string_view key);
+  /// The same law with elliptic contacts, see elliptic_model.h; null if this model has them already. equal: with one
+  /// set of parameters for modes II and III.
+  std::shared_ptr<const AnyLaw> of_ellipses(bool equal) const;
+  /// Whether contacts are ellipses (ellipse.h). Areas are then pi a b, edge loads those of a circle of the same area;
+  /// the functions that say so do not know ellipses.
+  bool is_elliptic() const;
+  /// The parameters at both ends, and the states' axes. Null for circles.
+  std::optional<EndParameters> ends_of(std::span<const double> p) const;
   static const std::vector<ContactModel>& published();
   explicit ContactModel(std::shared_ptr<const UserLaw> law);
 

@@ -4,6 +4,7 @@
 #include "mechanics/any_law.h"
 #include "mechanics/contact_model.h"
 #include "mechanics/curve_distance.h"
+#include "mechanics/elliptic_model.h"
 #include "mechanics/energy_plane.h"
 #include "mechanics/sensitivity.h"
 
@@ -12,6 +13,7 @@ namespace mixity {
 /// From the equilibrium function F of sensitivity.h: -ln((y^2 + tau^2)/(6 pi (y + P))).
 bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> P, std::span<const double> T,
                                        std::span<const double> A, const ToughnessResiduals& out) const {
+  if (law_->ellipse) return false;
   return with_law(*law_, p, [&](const auto& law, const auto& values) {
     for (std::size_t i = 0; i < P.size(); ++i) {
       if (!(A[i] > 0)) return false;
@@ -32,6 +34,7 @@ bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> 
 
 bool ContactModel::curve_distances(ParameterSpan p, const PlanePoints& points, Search search, bool derivatives,
                                    CurveDistances& out) const {
+  if (law_->ellipse) return elliptic::curve_distances(*law_->ellipse, p, points, derivatives, out);
   return with_law(*law_, p, [&](const auto& law, const auto& values) {
     return mixity::curve_distances(law, values, points, search, derivatives, out);
   });

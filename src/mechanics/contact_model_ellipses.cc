@@ -17,7 +17,7 @@ template <class Use>
 void with_ellipse(const ContactModel& model, const AnyLaw& any, const EndParameters& parameters, double P,
                   const Use& use) {
   const double nu = parameters.poisson_ratio;
-  if (!(nu >= 0 && nu <= 0.5) || !model.problem(parameters.mode_II, 0).empty() ||
+  if (any.ellipse || !(nu >= 0 && nu <= 0.5) || !model.problem(parameters.mode_II, 0).empty() ||
       !model.problem(parameters.mode_III, 0).empty() || !model.obstacle(parameters.mode_II, P).empty())
     return;
   with_law(any, [&]<class Law>(const Law& law) {
@@ -32,12 +32,12 @@ void with_ellipse(const ContactModel& model, const AnyLaw& any, const EndParamet
 
 Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::span<const double> T) const {
   Ellipses result{std::vector<EllipseState>(T.size())};
-  with_ellipse(*this, *law_, parameters, P, [&](const auto& law, const auto& mode_II, const auto& mode_III) {
+  with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
     if (above_pull_off(P) < 0) {
       for (EllipseState& state : result.at) state.status = EquilibriumStatus::no_equilibrium;
       return;
     }
-    EllipticContact contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
+    EllipticContact<Law> contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
     double most = 0;
     for (std::size_t i = 0; i < T.size(); ++i)
       if (T[i] >= 0 && T[i] <= kLargestLoad) {
@@ -51,10 +51,10 @@ Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::
 
 EllipseEnds ContactModel::ellipse_ends(const EndParameters& parameters, double P) const {
   EllipseEnds result;
-  with_ellipse(*this, *law_, parameters, P, [&](const auto& law, const auto& mode_II, const auto& mode_III) {
+  with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
     const double coupling = std::max(law.small_shear(mode_II), law.small_shear(mode_III));
     if (above_pull_off(P) < 0 || !(coupling > 0)) return;
-    EllipticContact contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
+    EllipticContact<Law> contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
     result = contact.ends(10 * circle_radius(P) / std::sqrt(coupling));
   });
   return result;
@@ -70,7 +70,7 @@ EllipseSlopes ContactModel::ellipse_slopes(const EndParameters& parameters, doub
   with_law(*law_, [&]<class Law>(const Law& law) {
     const Parameters<Law> mode_II = parameters_from<Law>(parameters.mode_II),
                           mode_III = parameters_from<Law>(parameters.mode_III);
-    const EllipticContact contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
+    const EllipticContact<Law> contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (at[i].status != EquilibriumStatus::ok) continue;
       double *const a = &result.a[count * i], *const b = &result.b[count * i];

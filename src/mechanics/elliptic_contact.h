@@ -4,43 +4,26 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "mechanics/base/law.h"
-#include "mechanics/contact.h"
-#include "mechanics/ellipse.h"
-#include "mechanics/ellipse_pressure.h"
+#include "mechanics/elliptic_equations.h"
 #include "mechanics/roots.h"
 
 namespace mixity {
 
-/// Marks on the branch are found at given w = 4/3 (a b)^(3/2), which falls from JKR's on: w = P + 3 pi + S0 cos phi, as
-/// on the circle of circular contacts. The unknowns are then q = ln(a/b) and T^2.
+/// The branch as marks, found as far as it is asked for.
 template <class Law>
-class EllipticContact {
+class EllipticContact : private EllipticEquations<Law> {
+  using Equations = EllipticEquations<Law>;
+  using Equations::edge_load_at, Equations::state, Equations::residuals, Equations::mark_at, Equations::next_from;
+  using Equations::newton_at, Equations::uncoupled, Equations::P_, Equations::S0_, Equations::poisson_ratio_;
+  using typename Equations::Mark, typename Equations::Residuals;
+
  public:
-  EllipticContact(const Law& law, const Parameters<Law>& mode_II, const Parameters<Law>& mode_III, double poisson_ratio,
-                  double P)
-      : law_(law),
-        p_{&mode_II, &mode_III},
-        P_(P),
-        S0_(circle_radius(P)),
-        poisson_ratio_(poisson_ratio),
-        per_square_{1, 1 / (1 - poisson_ratio)},
-        small_{law.small_shear(mode_II), law.small_shear(mode_III)} {
-    Mark first{0, 0, 0, 0, 0};
-    if (small_[0] == 0 && small_[1] == 0) {
-      uncoupled_ = true;
-    } else {
-      const Residuals r = residuals(edge_load_at(0), 0, 0);
-      first.T_slope = std::sqrt(std::max(0.5 * S0_ * solved(r, r.w).second, 0.0));
-    }
-    marks_.push_back(first);
-  }
+  using Equations::Equations;
 
   EllipseState at(double T) {
-    if (uncoupled_ || T == 0) return state(edge_load_at(0) + P_, 0, T);
+    if (uncoupled() || T == 0) return state(edge_load_at(0) + P_, 0, T);
     while (marks_.back().T < T && !end_) walk(T);
     if (marks_.back().T < T) return {EquilibriumStatus::no_equilibrium};
     const auto after =
@@ -50,10 +33,9 @@ class EllipticContact {
 
   /// Writes the derivatives of ln a and ln b (EllipseSlopes) at a state on the curve.
   void slopes(double T, double a, double b, double* of_a, double* of_b) const {
-    const double w = 4.0 / 3 * std::pow(a * b, 1.5), q = std::log(a / b), unit = 1 / (6 * pi<double>() * w);
+    const double w = 4.0 / 3 * std::pow(a * b, 1.5), q = std::log(a / b);
     const Residuals r = residuals(w - P_, q, T * T);
-    const EllipsePressure g = ellipse_pressure(q);
-    const double Y[2]{w * g.along - P_, w * g.across - P_}, determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0];
+    const double determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0];
     // what a change of the residuals does to w and q
     const auto write = [&](double first, double second) {
       const double dw = -(first * r.q[1] - second * r.q[0]) / determinant,
@@ -62,25 +44,12 @@ class EllipticContact {
       *of_b++ = dw / (3 * w) - 0.5 * dq;
     };
     write(2 * T * r.S[0], 2 * T * r.S[1]);
-    double of_P[2];
-    std::vector<double> of_law[2];
-    for (int k = 0; k < 2; ++k) {
-      const double t = T * std::sqrt(per_square_[k]);
-      const ShearTerm<double> tau2 = t > 0 ? law_.shear_term(*p_[k], Y[k], t) : ShearTerm<double>{0, 0, 0};
-      of_P[k] = -(2 * Y[k] + tau2.d1) * unit;
-      // tau^2 = (Y^2 + T^2)/f - Y^2
-      const auto log_f = law_.log_toughness(*p_[k], mixity_from_loads(Y[k], t));
-      for (const double slope : log_f.gradient) of_law[k].push_back(-(Y[k] * Y[k] + tau2.value) * slope * unit);
-    }
-    write(of_P[0], of_P[1]);
-    for (const double slope : of_law[0]) write(slope, 0);
-    for (const double slope : of_law[1]) write(0, slope);
-    write(0, T * T * r.S[1] * per_square_[1]);
+    Equations::each_derivative(w, q, T, write);
   }
 
   /// Null if the branch reaches T_most.
   std::optional<EllipseBranchEnd> end(double T_most) {
-    while (!uncoupled_ && marks_.back().T < T_most && !end_) walk(T_most);
+    while (!uncoupled() && marks_.back().T < T_most && !end_) walk(T_most);
     return end_;
   }
 
@@ -99,91 +68,6 @@ class EllipticContact {
   }
 
  private:
-  struct Mark {
-    double phi, q, T, q_slope, T_slope;  // slopes: per phi
-  };
-  /// The left sides of the criterion minus the right ones, over 6 pi w, and their derivatives; S = T^2.
-  struct Residuals {
-    double value[2], w[2], q[2], S[2];
-    double least;  // the smaller Y over w
-  };
-
-  double edge_load_at(double phi) const { return 3 * pi<double>() + S0_ * std::cos(phi); }  // of the circle: w - P
-
-  EllipseState state(double w, double q, double T) const {
-    const double c = std::cbrt(0.75 * w);
-    const EllipsePressure g = ellipse_pressure(q);
-    const auto psi = [&](double shape, double per_square) {
-      return std::atan2(T * std::sqrt(per_square), w * shape - P_);
-    };
-    return {EquilibriumStatus::ok, c * std::exp(0.5 * q), c * std::exp(-0.5 * q), psi(g.along, per_square_[0]),
-            psi(g.across, per_square_[1])};
-  }
-
-  /// y: w - P.
-  Residuals residuals(double y, double q, double S) const {
-    const EllipsePressure g = ellipse_pressure(q);
-    const double w = y + P_, shape[2]{g.along, g.across}, slope[2]{g.along_slope, g.across_slope};
-    Residuals r{};
-    r.least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 2; ++k) {
-      const double sign = k == 0 ? -1 : 1, right = 6 * pi<double>() * std::exp(0.5 * sign * q);  // over w
-      const double Y = y + w * (shape[k] - 1), T = std::sqrt(S * per_square_[k]);
-      ShearTerm<double> tau2{0, 0, 0};
-      double of_S = small_[k];
-      if (T > 0 && Y > 0) {
-        tau2 = law_.shear_term(*p_[k], Y, T);
-        of_S = (2 * tau2.value - Y * tau2.d1) / (2 * T * T);  // tau^2 is homogeneous of degree 2
-      }
-      const double of_Y = 2 * Y + tau2.d1, unit = 1 / (6 * pi<double>() * w);
-      r.value[k] = (Y * Y + tau2.value - right * w) * unit;
-      r.w[k] = (of_Y * shape[k] - right) * unit;
-      r.q[k] = (of_Y * w * slope[k] - 0.5 * sign * right * w) * unit;
-      r.S[k] = of_S * per_square_[k] * unit;
-      r.least = std::min(r.least, Y / w);
-    }
-    return r;
-  }
-
-  /// (x, y) with x r.q + y r.S = right.
-  static std::pair<double, double> solved(const Residuals& r, const double (&right)[2]) {
-    const double determinant = r.q[0] * r.S[1] - r.q[1] * r.S[0];
-    return {(right[0] * r.S[1] - right[1] * r.S[0]) / determinant,
-            (r.q[0] * right[1] - r.q[1] * right[0]) / determinant};
-  }
-
-  /// The mark at phi > 0, from a guess. Null if Newton's method does not arrive, or where K_I < 0.
-  std::optional<Mark> mark_at(double phi, double q, double T) const {
-    constexpr int kMost = 25;
-    constexpr double kRounding = 1e-15;
-    const double y = edge_load_at(phi);
-    double S = T * T, last = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kMost; ++i) {
-      const Residuals r = residuals(y, q, S);
-      if (!(r.least > 0)) return std::nullopt;
-      const auto [dq, dS] = solved(r, r.value);
-      const double size = std::abs(dq) + std::abs(dS) / S;
-      if (!std::isfinite(size)) return std::nullopt;
-      q -= std::clamp(dq, -0.5, 0.5);
-      S = std::max(S - dS, 0.25 * S);
-      if (size <= kRounding || (size < 1e-9 && size >= 0.5 * last)) {
-        const Residuals at = residuals(y, q, S);
-        if (!(at.least > 0)) return std::nullopt;
-        const auto [q_w, S_w] = solved(at, at.w);
-        const double w_slope = -S0_ * std::sin(phi), root = std::sqrt(S);
-        return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root)};
-      }
-      last = size;
-    }
-    return std::nullopt;
-  }
-
-  /// A guess at phi from the last mark.
-  std::optional<Mark> next_from(const Mark& from, double phi) const {
-    const double step = phi - from.phi;
-    return mark_at(phi, from.q + step * from.q_slope, std::max(from.T + step * from.T_slope, 0.5 * from.T));
-  }
-
   /// d(u)/d(phi), with the shape's derivative from differences: its error moves an extremum of u by 1e-9.
   double displacement_slope(const Mark& mark) const {
     constexpr double kStep = 1e-5;
@@ -250,27 +134,6 @@ class EllipticContact {
     return true;
   }
 
-  /// w - P and q at this T.
-  std::optional<std::pair<double, double>> newton_at(double T, double y, double q) const {
-    constexpr int kMost = 20;
-    constexpr double kRounding = 1e-15;
-    double last = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kMost; ++i) {
-      const Residuals r = residuals(y, q, T * T);
-      if (!(r.least > 0)) return std::nullopt;
-      const double determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0];
-      const double dw = (r.value[0] * r.q[1] - r.value[1] * r.q[0]) / determinant,
-                   dq = (r.w[0] * r.value[1] - r.w[1] * r.value[0]) / determinant;
-      const double size = std::abs(dw) / (y + P_) + std::abs(dq);
-      if (!(size < 1)) return std::nullopt;
-      y -= dw;
-      q -= dq;
-      if (size <= kRounding || (size < 1e-10 && size >= 0.5 * last)) return std::pair(y, q);
-      last = size;
-    }
-    return std::nullopt;
-  }
-
   EllipseState between(const Mark& low, const Mark& high, double T) const {
     if (!std::isfinite(high.T_slope)) {  // of walk_in_T
       const auto found = newton_at(T, edge_load_at(high.phi), high.q);
@@ -297,6 +160,7 @@ class EllipticContact {
       const auto mark = at > low.phi ? mark_at(at, q, std::max(T, 0.5 * low.T)) : std::optional(low);
       return mark ? mark->T - T : high.T - T;
     };
+    if (!(excess(high.phi) > 0)) return state(edge_load_at(high.phi) + P_, high.q, T);  // on the fold, but for rounding
     const double root = root_between(excess, low.phi, high.phi);
     const auto mark = mark_at(root, q, T);
     return mark ? state(edge_load_at(root) + P_, mark->q, T) : state(edge_load_at(high.phi) + P_, high.q, T);
@@ -307,13 +171,7 @@ class EllipticContact {
     return y <= edge_load_at(low.phi) + slack && y >= edge_load_at(high.phi) - slack;
   }
 
-  const Law& law_;
-  const Parameters<Law>* p_[2];
-  double P_, S0_, poisson_ratio_;
-  double per_square_[2];  // T'^2 over T^2
-  double small_[2];       // tau^2/T'^2 at T -> 0
-  bool uncoupled_ = false;
-  std::vector<Mark> marks_;
+  std::vector<Mark> marks_{Equations::first_mark()};
   std::optional<EllipseBranchEnd> end_{};
 };
 

@@ -151,8 +151,11 @@ struct RegimeBoundary {
 
 /// Measured points in the plane of T and A: A > 0, both standard errors > 0, T of either sign (equilibrium depends on
 /// T^2). The spans have one size.
+///
+/// q, its standard error and `slant`: for elliptic contacts, ln(a/b) of the semi-axes along and across the shear, NaN
+/// where they were not measured; what has an error independent of A's is q - slant A/A_measured. Empty: no axes.
 struct PlanePoints {
-  std::span<const double> P, T, A, sigma_T, sigma_A;
+  std::span<const double> P, T, A, sigma_T, sigma_A, q{}, sigma_q{}, slant{};
 };
 
 /// local: the point of the curve that Newton's method reaches from the measured point; the nearest one if the measured
@@ -167,8 +170,16 @@ enum class Search { rough, local, global };
 ///
 /// `place_T` and `place_A`, unless empty, pass in starting points, such as the nearest points for similar parameters (A
 /// = 0: none), and return the nearest points.
+///
+/// `axes`, unless empty: of elliptic contacts, whose nearest point is that in T, A and q, the residual along the normal
+/// perpendicular to that of r, which mostly is the difference of q, and its derivatives. The sum of both squares is
+/// that of the distance. place_q: q there.
 struct CurveDistances {
   std::span<double> r, dP, dT, dA, parameters, place_T{}, place_A{};
+  struct Axes {
+    std::span<double> r, dP, dT, dA, parameters;
+  } axes{};
+  std::span<double> place_q{};
 };
 
 /// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 at each point, all in one

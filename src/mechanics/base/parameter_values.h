@@ -9,10 +9,10 @@
 
 namespace mixity {
 
-/// Up to four numbers, stored without heap allocation.
+/// Up to seven numbers, stored without heap allocation: two sets of three and Poisson's ratio (elliptic contacts).
 class ParameterValues {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMost = 7;
 
   ParameterValues() = default;
   ParameterValues(std::initializer_list<double> values) : ParameterValues(std::span(values.begin(), values.size())) {}

@@ -1,0 +1,226 @@
+// Models of elliptic contacts behind ContactModel: areas, distances with and without axes, derivatives, ends.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "mechanics/contact.h"
+#include "mechanics/contact_model.h"
+
+namespace mixity {
+namespace elliptic_model_test {
+
+ContactModel model(const char* key) { return ContactModel::find(key).value(); }
+
+/// Measured points beside a curve.
+struct Readings {
+  std::vector<double> P, T, A, sigma_T, sigma_A, q, sigma_q, slant;
+  PlanePoints points(bool axes) const {
+    PlanePoints all{P, T, A, sigma_T, sigma_A};
+    if (axes) {
+      all.q = q;
+      all.sigma_q = sigma_q;
+      all.slant = slant;
+    }
+    return all;
+  }
+  std::size_t size() const { return P.size(); }
+};
+
+Readings beside(const ContactModel& of, const ParameterValues& p, std::vector<double> loads, double noise,
+                std::size_t each, double slant = 0) {
+  Readings all;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (const double P : loads) {
+    const double end = std::min(of.first_stable_end(p, P), 50.0);  // that of a may be infinite
+    std::vector<double> T;
+    for (std::size_t i = 0; i < each; ++i)
+      T.push_back(0.98 * end * static_cast<double>(i) / static_cast<double>(each - 1));
+    const Ellipses states = ContactModel::find(std::string(of.info().key.substr(0, of.info().key.find('-'))))
+                                ->ellipses(*of.ends_of(p), P, T);
+    for (std::size_t i = 0; i < each; ++i) {
+      const double A = pi<double>() * states.at[i].a * states.at[i].b, s_T = noise * end, s_A = noise * A;
+      all.P.push_back(P);
+      all.T.push_back(T[i] + s_T * normal(random));
+      all.A.push_back(A + s_A * normal(random));
+      all.sigma_T.push_back(s_T);
+      all.sigma_A.push_back(s_A);
+      all.q.push_back(std::log(states.at[i].a / states.at[i].b) + noise * normal(random));
+      all.sigma_q.push_back(noise);
+      all.slant.push_back(slant);
+    }
+  }
+  return all;
+}
+
+struct Distances {
+  std::vector<double> r, dP, dT, dA, p, T, A, q, axes_r, axes_dP, axes_dT, axes_dA, axes_p;
+  bool good = false;
+  Distances(const ContactModel& of, const ParameterValues& at, const PlanePoints& points) {
+    const std::size_t n = points.P.size();
+    for (auto* const one : {&r, &dP, &dT, &dA, &T, &A, &q, &axes_r, &axes_dP, &axes_dT, &axes_dA}) one->resize(n);
+    p.resize(n * at.size());
+    axes_p.resize(n * at.size());
+    CurveDistances out{r, dP, dT, dA, p, T, A, {axes_r, axes_dP, axes_dT, axes_dA, axes_p}, q};
+    good = of.curve_distances(at, points, Search::global, true, out);
+  }
+  double squares() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < r.size(); ++i) sum += r[i] * r[i] + axes_r[i] * axes_r[i];
+    return sum;
+  }
+};
+
+TEST(EllipticModel, IsFoundUnderTheKeyOfItsLaw) {
+  const ContactModel two = model("c-ellipse"), one = model("bk-ellipse-equal");
+  ASSERT_EQ(two.parameters().size(), 3u);
+  EXPECT_EQ(two.parameters()[0].name, "lambda_II");
+  EXPECT_EQ(two.parameters()[1].name, "lambda_III");
+  EXPECT_EQ(two.parameters()[2].name, "poisson_ratio");
+  EXPECT_EQ(one.parameters().size(), model("bk").parameters().size() + 1);
+  EXPECT_FALSE(ContactModel::find("c-ellipse-ellipse"));
+  EXPECT_FALSE(ContactModel::find("nothing-ellipse"));
+  EXPECT_EQ(model("c-ellipse").obstacle(ParameterValues{0.1, 0.1, 0.6}), "poisson_ratio must lie between 0 and 0.5");
+}
+
+/// lambda_III/(1 - nu) = lambda_II of model c is a circle.
+TEST(EllipticModel, OfEqualCouplingsHasTheCirclesNumbers) {
+  const ContactModel ellipse = model("c-ellipse"), circle = model("c");
+  for (const double nu : {0.0, 0.3, 0.5})
+    for (const double P : {-3.0, 0.0, 3.0, 30.0}) {
+      const double l = 0.2;
+      const ParameterValues p{l, l * (1 - nu), nu}, one{l};
+      const Readings readings = beside(ellipse, p, {P}, 0.02, 9);
+      const Distances found(ellipse, p, readings.points(false)), right(circle, one, readings.points(false));
+      ASSERT_TRUE(found.good && right.good);
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        // both have rounding errors of T/sigma_T = 50; the derivatives of the circle are good to 1e-10
+        EXPECT_NEAR(found.r[i], right.r[i], 1e-12) << P << ' ' << i;
+        EXPECT_NEAR(found.T[i] / right.T[i], 1, 1e-9);
+        EXPECT_NEAR(found.dT[i] / right.dT[i], 1, 1e-8);
+        EXPECT_NEAR(found.dP[i] / right.dP[i], 1, 1e-8);
+        EXPECT_NEAR(found.p[3 * i] + found.p[3 * i + 1] * (1 - nu), right.p[i], 1e-8 * std::abs(right.p[i]) + 1e-9)
+            << i;
+        EXPECT_NEAR(found.q[i], 0, 1e-13);
+      }
+      EXPECT_NEAR(ellipse.first_stable_end(p, P) / circle.first_stable_end(one, P), 1, 1e-12);
+    }
+}
+
+/// The nearest of 20,000 states in each of which the equations hold.
+TEST(EllipticModel, FindsTheNearestState) {
+  for (const auto& [key, p] : std::vector<std::pair<const char*, ParameterValues>>{
+           {"c-ellipse", {0.3, 0.1, 0.5}}, {"b-ellipse", {0.6, 0.3, 0.4}}, {"a-ellipse", {0.9, 0.6, 0.3}}}) {
+    const ContactModel of = model(key);
+    for (const double P : {-2.0, 3.0}) {
+      Readings readings = beside(of, p, {P}, 0.05, 8);
+      const Distances found(of, p, readings.points(true));
+      ASSERT_TRUE(found.good);
+      const double end = std::min(of.first_stable_end(p, P), 60.0);
+      std::vector<double> T;
+      for (int k = 0; k <= 20000; ++k) T.push_back(end * (1 - std::pow(1 - k / 20000.0, 2)));
+      const auto circle = ContactModel::find(std::string(key).substr(0, 1));
+      const Ellipses states = circle->ellipses(*of.ends_of(p), P, T);
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        double best = 1e300;
+        for (std::size_t k = 0; k < T.size(); ++k) {
+          if (states.at[k].status != EquilibriumStatus::ok) continue;
+          const double a = states.at[k].a, b = states.at[k].b, A = pi<double>() * a * b;
+          best = std::min(best, std::pow((T[k] - std::abs(readings.T[i])) / readings.sigma_T[i], 2) +
+                                    std::pow((A - readings.A[i]) / readings.sigma_A[i], 2) +
+                                    std::pow((std::log(a / b) - readings.q[i]) / readings.sigma_q[i], 2));
+        }
+        const double square = found.r[i] * found.r[i] + found.axes_r[i] * found.axes_r[i];
+        EXPECT_LE(square, best * (1 + 1e-9) + 1e-12) << key << P << ' ' << i;
+        // unless the nearest state is on the unstable part, the step of the search costs at most 1e-5
+        if (found.T[i] < 0.97 * end) {
+          EXPECT_NEAR(square, best, 1e-4 * (1 + best)) << key << P << ' ' << i;
+        }
+      }
+    }
+  }
+}
+
+/// The residuals' basis turns along the curve, so that the sum of squares is what has the derivatives of the rows.
+TEST(EllipticModel, HasTheDerivativesOfTheSumOfSquares) {
+  for (const auto& [key, p] : std::vector<std::pair<const char*, ParameterValues>>{
+           {"c-ellipse", {0.3, 0.1, 0.4}}, {"b-ellipse", {0.6, 0.3, 0.4}}, {"c-ellipse-equal", {0.2, 0.4}}}) {
+    const ContactModel of = model(key);
+    const Readings readings = beside(of, p, {-2.0, 3.0, 20.0}, 0.05, 12, 0.3);
+    const Distances at(of, p, readings.points(true));
+    ASSERT_TRUE(at.good);
+    const std::size_t count = p.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      double slope = 0, scale = 0;
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        const double one = 2 * (at.r[i] * at.p[i * count + k] + at.axes_r[i] * at.axes_p[i * count + k]);
+        slope += one;
+        scale += std::abs(one);
+      }
+      const double h = 1e-5 * p[k];
+      ParameterValues up = p, down = p;
+      up[k] += h;
+      down[k] -= h;
+      const double right =
+          (Distances(of, up, readings.points(true)).squares() - Distances(of, down, readings.points(true)).squares()) /
+          (2 * h);
+      EXPECT_NEAR(slope, right, 1e-7 * scale) << key << k;  // differences: 1e-10 of the step's square, rounding/h
+    }
+    // in the readings and the load
+    const auto check = [&](std::vector<double> Readings::*list, const std::vector<double>& d,
+                           const std::vector<double>& axes_d, double h) {
+      double slope = 0, scale = 0;
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        const double one = 2 * (at.r[i] * d[i] + at.axes_r[i] * axes_d[i]);
+        slope += one;
+        scale += std::abs(one);
+      }
+      Readings up = readings, down = readings;
+      for (double& one : up.*list) one += h;
+      for (double& one : down.*list) one -= h;
+      const double right =
+          (Distances(of, p, up.points(true)).squares() - Distances(of, p, down.points(true)).squares()) / (2 * h);
+      EXPECT_NEAR(slope, right, 1e-6 * scale) << key;
+    };
+    check(&Readings::P, at.dP, at.axes_dP, 1e-5);
+    check(&Readings::A, at.dA, at.axes_dA, 1e-5);
+  }
+}
+
+TEST(EllipticModel, HasTheSlopesOfItsAreas) {
+  const ContactModel of = model("c-ellipse");
+  const ParameterValues p{0.3, 0.1, 0.4};
+  const auto areas = [&](const ParameterValues& at, double P, double T) {
+    double A;
+    EquilibriumStatus status;
+    of.areas_at(at, P, {&T, 1}, {&A, 1}, {&status, 1});
+    return A;
+  };
+  const double P = 3, T = 12, A = areas(p, P, T);
+  std::array<double, 3> slopes{};
+  std::vector<Values> values;
+  for (const double& one : p) values.push_back({&one, 0});
+  std::vector<std::span<double>> out;
+  for (double& one : slopes) out.emplace_back(&one, 1);
+  of.area_slopes(values, {&P, 0}, {&T, 0}, {&A, 1}, out);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double h = 1e-5;
+    ParameterValues up = p, down = p;
+    up[k] += h;
+    down[k] -= h;
+    EXPECT_NEAR(slopes[k], (areas(up, P, T) - areas(down, P, T)) / (2 * h), 1e-8 * std::abs(slopes[k]) + 1e-9) << k;
+  }
+  double back;
+  of.tangential_loads(values, {&P, 0}, {&A, 0}, {&back, 1});
+  EXPECT_NEAR(back, T, 1e-11);
+  // A falls by alpha T^2 at small T
+  const double A0 = areas(p, P, 0), small = 1e-2;
+  EXPECT_NEAR(of.shear_sensitivity(p, A0).value(), (A0 - areas(p, P, small)) / (small * small), 1e-6);
+}
+
+}  // namespace elliptic_model_test
+}  // namespace mixity
