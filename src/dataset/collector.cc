@@ -81,6 +81,7 @@ Collector::Collector(const std::string& metadata_path, const std::vector<Heading
   using enum ColumnId;
   has_errors_ = false;
   for (const ColumnId id : {sigma_T, sigma_A, sigma_Gc, sigma_GI, sigma_GII}) has_errors_ |= columns().has(id);
+  has_axes_ = columns().lengths() && !columns().lengths()->round();
   data.taken = columns().taken;
   data.mapping = columns().mapped;
 }
@@ -93,8 +94,8 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
     data_.excluded.push_back({row.line(), unusable});
     return;
   }
-  if (read.axes > largest_axes_) {
-    largest_axes_ = read.axes;
+  if (const double ratio = std::exp(std::abs(read.axes.q)); ratio > largest_axes_) {
+    largest_axes_ = ratio;
     line_of_largest_ = row.line();
   }
   const Column* const name = columns().find(ColumnId::curve);
@@ -111,6 +112,7 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
   if (!data_.has_loads) data_.converted.push_back(read.converted);
   if (has_errors_) data_.errors.push_back(read.errors);
   if (data_.has_energies) data_.energies.push_back(read.energies);
+  if (has_axes_) data_.axes.push_back(read.axes);
 }
 
 void Collector::leave_out(std::size_t line, std::string_view reason) {
@@ -233,7 +235,7 @@ void Collector::finish() {
   }
   take_mean_loads(data_);
   finish_shear(data_);
-  if (columns().lengths() && !columns().lengths()->round()) add_note_on_axes();
+  if (has_axes_) add_note_on_axes();
 }
 
 bool Collector::has_times() const {
@@ -251,8 +253,10 @@ void Collector::add_note_on_axes() {
                      rounded(eccentricity, 3) + ") at most";
   if (largest_axes_ > 1) note += ", in line " + std::to_string(line_of_largest_);
   if (largest_axes_ > kNearlyRound)
-    note += "; the models are of a circle, and around such an edge the energy release rate varies by about " +
+    note += "; around such an edge the energy release rate of a circle's models varies by about " +
             rounded(100 * (largest_axes_ - 1), 2) + "%";
+  if (columns().has(ColumnId::major) && !columns().has(ColumnId::angle))
+    note += "; without the column 'angle' the major axis is taken to lie across the shear";
   data_.notes.push_back(note);
 }
 

@@ -78,7 +78,8 @@ class Collector {
   };
   std::vector<TableBegin> tables_;
   std::size_t comments_ = 0, first_comment_ = 0;  // comments that would be rows without '#'; the line of the first
-  double largest_axes_ = 1;                       // the largest ratio of the axes of elliptic contacts
+  bool has_axes_ = false;
+  double largest_axes_ = 1;  // the largest ratio of the axes of elliptic contacts
   std::size_t line_of_largest_ = 0;
 };
 

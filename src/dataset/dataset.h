@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -56,6 +57,12 @@ struct PointEnergies {
   double G_I = 0, G_II = 0, sigma_GI = kNotStated, sigma_GII = kNotStated;
 };
 
+/// q = ln(a/b) of the semi-axes along and across the shear, NaN where it is not known; its standard error, NaN if it is
+/// not stated; and the correlation of the errors of q and ln A, 0 where those of a and b are equal.
+struct PointAxes {
+  double q = std::numeric_limits<double>::quiet_NaN(), sigma_q = q, correlation = 0;
+};
+
 /// Why a point has no toughness.
 inline constexpr std::string_view kNoPhaseAngle =
     "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
@@ -100,6 +107,7 @@ struct Dataset {
   std::vector<ToughnessPoint> converted;  // per point, if the data set has no loads
   std::vector<PointErrors> errors;        // per point, if the file states any
   std::vector<PointEnergies> energies;    // per point, if the data are energies
+  std::vector<PointAxes> axes;            // per point, if the file has the axes of elliptic contacts
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;   // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads

@@ -139,6 +139,7 @@ void exclude_points(const std::vector<std::string_view>& reasons, Dataset& data)
   keep(kept, data.converted);
   keep(kept, data.errors);
   keep(kept, data.energies);
+  keep(kept, data.axes);
 }
 
 }  // namespace mixity

@@ -109,10 +109,8 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
   const double P = load_ ? *load_ : number(ColumnId::P), T = number.with_error(ColumnId::T, ColumnId::sigma_T, in_T);
   double area = 0;
   if (lengths && !lengths->round()) {
-    const double one = number(lengths->one), other = number(lengths->other);
-    if (!(one > 0) || !(other > 0)) return "an axis of the ellipse <= 0";
-    area = std::numbers::pi * one * other / lengths->parts;
-    read.axes = one > other ? one / other : other / one;
+    if (const std::string_view why = read_axes(*lengths, number, area, in_A, read.axes); !why.empty()) return why;
+    if (columns_.has(ColumnId::A)) in_A = kNotStated;
   }
   if (columns_.has(ColumnId::A)) area = number.with_error(ColumnId::A, ColumnId::sigma_A, in_A);
   const bool by_radius = lengths && lengths->round() && !columns_.has(ColumnId::A);
@@ -131,6 +129,37 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
   number.standard_error(ColumnId::sigma_T, point.T, units_.force, in_T, read.errors.T);
   number.standard_error(ColumnId::sigma_A, point.A, area_unit, in_A, read.errors.A);
   read.states_errors = in_T >= 0 || in_A >= 0;
+  return {};
+}
+
+/// Sets the ratio of the axes of an ellipse and, in SI, its area with its standard error.
+std::string_view PointReader::read_axes(const ContactLengths& lengths, Numbers& number, double& area, double& sigma_A,
+                                        PointAxes& axes) const {
+  double in_one = kNotStated, in_other = kNotStated;
+  const double one = number.with_error(lengths.one, ColumnId::sigma_a_par, in_one),
+               other = number.with_error(lengths.other, ColumnId::sigma_a_perp, in_other);
+  if (!(one > 0) || !(other > 0)) return "an axis of the ellipse <= 0";
+  area = std::numbers::pi * one * other / lengths.parts;
+  // of the longer axis from the shear; without it an image program's ellipse is taken as shorter along the shear
+  double turned = 1;
+  if (lengths.one == ColumnId::major) {
+    turned = -1;
+    if (const Column* const angle = columns_.find(ColumnId::angle)) {
+      const bool degrees = angle->unit.dimension == dimension::none;
+      turned = std::cos(2 * number(ColumnId::angle) * (degrees ? std::numbers::pi / 180 : 1));
+    }
+  }
+  axes.q = std::log(one / other) * turned;
+  // the columns state errors of semi-axes
+  const double half = lengths.parts == 4 ? 2 : 1;
+  double sigma_one = kNotStated, sigma_other = kNotStated;
+  number.standard_error(ColumnId::sigma_a_par, one / half, 1, in_one / half, sigma_one);
+  number.standard_error(ColumnId::sigma_a_perp, other / half, 1, in_other / half, sigma_other);
+  if (!(sigma_one > 0) || !(sigma_other > 0)) return {};
+  const double share_one = half * sigma_one / one, share_other = half * sigma_other / other;
+  axes.sigma_q = std::hypot(share_one, share_other);
+  axes.correlation = (share_one - share_other) * (share_one + share_other) / (axes.sigma_q * axes.sigma_q) * turned;
+  sigma_A = area * axes.sigma_q;
   return {};
 }
 

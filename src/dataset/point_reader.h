@@ -41,7 +41,7 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  double axes = 1;              // of an elliptic contact, longer over shorter axis
+  PointAxes axes;
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign
 };
@@ -63,6 +63,8 @@ class PointReader {
  private:
   struct Numbers;
   std::string_view read_loads(Numbers& number, ReadPoint& point) const;
+  std::string_view read_axes(const ContactLengths& lengths, Numbers& number, double& area, double& sigma_A,
+                             PointAxes& axes) const;
   std::string_view read_toughness(Numbers& number, ReadPoint& point) const;
   std::string_view read_energies(Numbers& number, ReadPoint& point) const;
 

@@ -86,6 +86,7 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
   append(part.curve_loads, runs, whole.curve_loads, first_run);
   append(part.shear_reversed, runs, whole.shear_reversed, first_run);
   append(part.errors, points, whole.errors, whole.points.size());
+  append(part.axes, points, whole.axes, whole.points.size());
   for (Point& point : part.points) {
     point.line = line_of_point(part.path, first_line + point.line);
     point.curve += static_cast<Point::Index>(first_run);

@@ -188,7 +188,7 @@ bool may_reach(const Case& of, Constant constant) {
   const auto exact = std::find_if(fit.budget->exact.begin(), fit.budget->exact.end(),
                                   [&](const ExactConstant& one) { return one.constant == kConstantNames[constant]; });
   if (exact == fit.budget->exact.end() || !exact->score) return true;
-  const double squares = comparable_squares(fit), n = static_cast<double>(fit.used.size());
+  const double squares = comparable_squares(fit), n = static_cast<double>(fit.rows());
   const double unit = fit.known_errors ? 1 : squares / static_cast<double>(fit.freedom());
   const double after = std::max(squares - kAtMost * exact->score->fall * unit, 1e-9 * squares);
   return (fit.known_errors ? after : n * std::log(after / n)) < *of.to_beat + kNear;
@@ -210,7 +210,7 @@ double misfit(double squares, double log_variances, std::size_t points, bool kno
 }
 
 double misfit(const FitResult& fit) {
-  return misfit(fit.sum_of_squares, fit.log_variances, fit.used.size(), fit.known_errors);
+  return misfit(fit.sum_of_squares, fit.log_variances, fit.rows(), fit.known_errors);
 }
 
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {

@@ -27,7 +27,7 @@ std::optional<double> squared_area_errors(const Dataset& data, const std::vector
 
 std::size_t most_points(const std::vector<FitResult>& fits) {
   std::size_t most = 0;
-  for (const FitResult& one : fits) most = std::max(most, one.used.size());
+  for (const FitResult& one : fits) most = std::max(most, one.rows());
   return most;
 }
 
@@ -51,7 +51,7 @@ std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& f
   const std::size_t most = most_points(fits);
   std::vector<std::optional<double>> logarithms;
   for (const FitResult& one : fits) {
-    const bool comparable = one.used.size() == most && one.evidence;
+    const bool comparable = one.rows() == most && one.evidence;
     logarithms.push_back(comparable ? std::optional(one.evidence->evidence.log_evidence) : std::nullopt);
   }
   const auto known =
@@ -78,12 +78,12 @@ std::optional<Information> information(const FitResult& fit) {
   if (!has_all_values(fit) || fit.residuals.empty() || !(fit.sum_of_squares > 0)) return std::nullopt;
   // Each model has its own loss.
   if (fit.loss_scale > 0 && (!fit.known_errors || fit.loss_freedom > 0)) return std::nullopt;
-  return information(comparable_squares(fit), fit.used.size(), fit.free_parameters, fit.known_errors);
+  return information(comparable_squares(fit), fit.rows(), fit.free_parameters, fit.known_errors);
 }
 
 std::optional<Information> information_explained(const FitResult& fit) {
   if (!fit.explained) return std::nullopt;
-  return information(*fit.explained, fit.used.size(), fit.free_parameters + 1, fit.known_errors);
+  return information(*fit.explained, fit.rows(), fit.free_parameters + 1, fit.known_errors);
 }
 
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options) {
@@ -135,7 +135,7 @@ std::vector<ComparedModel> compare_models(const Dataset& data, const std::vector
     const auto before = static_cast<double>(compared.size());
     of_one.progress = stretch(options.progress, before / models, (before + 1) / models);
     ComparedModel entry{one.model, {}, {}, {}, leave_one_load_out(data, one, of_one)};
-    if (const auto criteria = one.used.size() == most ? information(one) : std::nullopt) {
+    if (const auto criteria = one.rows() == most ? information(one) : std::nullopt) {
       entry.aicc = criteria->aicc;
       entry.bic = criteria->bic;
     }

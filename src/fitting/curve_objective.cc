@@ -42,7 +42,9 @@ bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double>
 }
 
 std::size_t CurveObjective::parts() const {
-  return whitening_ ? 1 : std::max<std::size_t>((blocks_.size() - 1 + kBlocksOfAPart - 1) / kBlocksOfAPart, 1);
+  return whitening_ || axes_rows_ > 0
+             ? 1
+             : std::max<std::size_t>((blocks_.size() - 1 + kBlocksOfAPart - 1) / kBlocksOfAPart, 1);
 }
 
 bool CurveObjective::evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
@@ -74,22 +76,27 @@ bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::v
 }
 
 bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
-  if (!sample_) return all_blocks(x, points_, Search::rough, {residuals, {}, {}});
+  if (!sample_) return all_blocks(x, points_, Search::rough, with_axes({residuals, {}, {}}));
   std::fill(residuals.begin(), residuals.end(), 0.0);
   return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count()));
 }
 
 bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                   std::span<double> places) const {
-  if (!all_blocks(x, points_, Search::global, {residuals, jacobian, places})) return false;
+  if (!all_blocks(x, points_, Search::global, with_axes({residuals, jacobian, places}))) return false;
   take_off_and_whiten(residuals, jacobian);
   return true;
 }
 
+CurveObjective::Wanted CurveObjective::with_axes(Wanted wanted) const {
+  if (axes_rows_ > 0) wanted.axes = wanted.residuals.subspan(points_.size);
+  return wanted;
+}
+
 bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> residuals,
                                    std::vector<double>& distances) const {
-  if (!all_blocks(x, points_, Search::global, {residuals, {}, {}})) return false;
-  distances.assign(residuals.begin(), residuals.end());
+  if (!all_blocks(x, points_, Search::global, with_axes({residuals, {}, {}}))) return false;
+  distances.assign(residuals.begin(), residuals.begin() + static_cast<std::ptrdiff_t>(points_.size));
   take_off_and_whiten(residuals, {});
   return true;
 }
@@ -97,20 +104,22 @@ bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> 
 void CurveObjective::take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const {
   for (std::size_t i = 0; expected_ && i < expected_->size(); ++i) residuals[i] -= (*expected_)[i];
   if (!whitening_) return;
-  whitening_->apply(residuals);
+  whitening_->apply(residuals.first(points_.size));
   if (!jacobian.empty()) whiten(jacobian);
 }
 
 void CurveObjective::whiten(std::span<double> jacobian) const {
   const std::size_t width = choice_.size();
-  for (std::size_t k = 0; whitening_ && k < width; ++k) whitening_->apply(jacobian.subspan(k), width);
+  for (std::size_t k = 0; whitening_ && k < width; ++k)
+    whitening_->apply(jacobian.first(points_.size * width).subspan(k), width);
 }
 
 std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x, std::span<double> jacobian) const {
   NearestPlaces found;
   for (std::vector<double>* const list : {&found.residuals, &found.T, &found.A, &found.load_T, &found.load_A})
     list->resize(points_.size);
-  if (!all_blocks(x, points_, Search::global, {found.residuals, jacobian, {}, &found})) return std::nullopt;
+  found.axes.resize(axes_rows_);
+  if (!all_blocks(x, points_, Search::global, {found.residuals, jacobian, {}, &found, found.axes})) return std::nullopt;
   if (!jacobian.empty()) whiten(jacobian);
   return found;
 }
@@ -230,6 +239,28 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   }
 }
 
+/// Readings of the axes of a block, their residuals, and the derivatives of these.
+struct CurveObjective::OfAxes {
+  std::vector<double> q, sigma_q, slant, r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A;
+
+  void add(const CurveObjective& of, const MeasuredPoints& points, std::size_t begin, std::size_t n, std::size_t p,
+           PlanePoints& plane, CurveDistances& out) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const MeasuredAxes& one = (*points.axes)[of.index_of(begin + i)];
+      q.push_back(one.q);
+      sigma_q.push_back(one.sigma_q);
+      slant.push_back(one.slant);
+    }
+    for (std::vector<double>* const list : {&r, &dP, &dT, &dA, &of_sigma_T, &of_sigma_A, &own_sigma_T, &own_sigma_A})
+      list->resize(n);
+    parameters.resize(n * p);
+    plane.q = q;
+    plane.sigma_q = sigma_q;
+    plane.slant = slant;
+    out.axes = {r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A};
+  }
+};
+
 bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
                                const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
@@ -246,10 +277,12 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
   scale_block(at.constants, points, begin, workspace, out);
+  OfAxes axes;
+  PlanePoints plane{array(0), array(1), array(2), array(3), array(4)};
+  if (!wanted.axes.empty() && points.axes) axes.add(*this, points, begin, n, p, plane, out);
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
   if (!std::all_of(A.begin(), A.end(), [](double one) { return one > 0; })) return false;
-  if (!model().curve_distances(at.parameters, {P, T, A, sigma_T, sigma_A}, search,
-                               !wanted.jacobian.empty() || wanted.nearest, out))
+  if (!model().curve_distances(at.parameters, plane, search, !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
   const auto to = [&](std::size_t i) { return range.first ? begin + i - *range.first : index_of(begin + i); };
   for (std::size_t i = 0; i < n; ++i) {
@@ -262,6 +295,13 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
       for (std::size_t i = 0; i < n; ++i) wanted.jacobian[to(i) * width + column] = out.parameters[i * p + parameter];
       ++column;
     }
+  }
+  for (std::size_t i = 0; i < axes.r.size(); ++i) {
+    const std::size_t row = axes_row_[index_of(begin + i)];
+    if (row == 0) continue;
+    wanted.axes[row - points_.size] = axes.r[i];
+    for (std::size_t k = 0; !wanted.jacobian.empty() && k < choice_.of_model().size(); ++k)
+      wanted.jacobian[row * width + k] = axes.parameters[i * p + choice_.of_model()[k]];
   }
   if (choice_.constants().empty() && !wanted.nearest) return true;
   const bool varies = varies_ || has_changes(at.constants), places_act = varies || choice_.has_changes();
@@ -279,12 +319,19 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
       wanted.nearest->load_A[to(i)] = load_A / size;
     }
     if (wanted.jacobian.empty()) continue;
+    const auto fill = [&](std::size_t to_row, const ResidualSlopes& slopes) {
+      double* const row = &wanted.jacobian[to_row * width] + choice_.of_model().size();
+      for (std::size_t k = 0; k < choice_.constants().size(); ++k)
+        row[k] = slopes.in(choice_.constants()[k], P[i], T[i], A[i], scale, place);
+    };
+    if (!axes.r.empty()) {
+      fill(to(i), {out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]});
+      if (const std::size_t row = axes_row_[index_of(begin + i)]; row > 0)
+        fill(row, {axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]});
+      continue;
+    }
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
-    const ResidualSlopes slopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
-                                of_error(out.dA[i], sigma_A[i])};
-    double* const row = &wanted.jacobian[to(i) * width] + choice_.of_model().size();
-    for (std::size_t k = 0; k < choice_.constants().size(); ++k)
-      row[k] = slopes.in(choice_.constants()[k], P[i], T[i], A[i], scale, place);
+    fill(to(i), {out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]), of_error(out.dA[i], sigma_A[i])});
   }
   return true;
 }

@@ -21,7 +21,8 @@ class CurveObjective final : public ModelProblem {
   CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected = {},
                  std::shared_ptr<const Whitening> whitening = {}, std::vector<ParameterValues> shifts = {});
 
-  std::size_t residual_count() const override { return points_.size; }
+  /// Those of the points, then those of the axes that were measured.
+  std::size_t residual_count() const override { return points_.size + axes_rows_; }
   /// The norm of the data, T included.
   double data_norm() const override { return data_norm_; }
   std::vector<double> targets() const override;
@@ -61,7 +62,8 @@ class CurveObjective final : public ModelProblem {
   struct Wanted {
     std::span<double> residuals, jacobian, places;
     NearestPlaces* nearest = nullptr;
-    bool halves = false;  // adds half of each residual to what is there
+    std::span<double> axes{};  // residuals by row behind those of the points
+    bool halves = false;       // adds half of each residual to what is there
   };
   /// A range of blocks. `first`: the rank of the point whose row is row 0; null: a point's row is its index.
   struct Range {
@@ -78,6 +80,9 @@ class CurveObjective final : public ModelProblem {
   struct Indices;
   void whiten(std::span<double> jacobian) const;
   void take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const;
+  struct OfAxes;
+  void list_axes();
+  Wanted with_axes(Wanted wanted) const;
   bool residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                     std::span<double> places) const;
   bool all_blocks(std::span<const double> x, const MeasuredPoints& points, Search search, const Wanted& wanted) const {
@@ -100,7 +105,9 @@ class CurveObjective final : public ModelProblem {
   std::vector<double> listed_;           // P, T, A and their errors by rank, if no run has constants of its own
   std::vector<std::size_t> blocks_;      // the rank at which each block begins, and the end of the last
   bool varies_ = false;                  // the constants differ from run to run
-  bool near_ = false;                    // the points know where the search for the nearest places begins
+  std::vector<std::size_t> axes_row_;    // per point: the row of its axes; 0: none
+  std::size_t axes_rows_ = 0;
+  bool near_ = false;  // the points know where the search for the nearest places begins
   double data_norm_ = 0;
   std::unique_ptr<CurveObjective> sample_;  // some of the points, evenly over the loads; null if there are few points
 };

@@ -39,10 +39,25 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
   }
   blocks_.push_back(n);
   list_points();
+  list_axes();
   if (n < 2 * kSample) return;
   std::vector<MeasuredPoint> sample;
-  for (std::size_t i = 0; i < kSample; ++i) sample.push_back(points_.at(index_of(i * n / kSample)));
-  sample_ = std::make_unique<CurveObjective>(std::move(sample), choice_, std::vector<double>(), nullptr, shifts_);
+  std::vector<MeasuredAxes> axes;
+  for (std::size_t i = 0; i < kSample; ++i) {
+    sample.push_back(points_.at(index_of(i * n / kSample)));
+    if (points_.axes) axes.push_back((*points_.axes)[index_of(i * n / kSample)]);
+  }
+  MeasuredPoints some(std::move(sample));
+  if (points_.axes) some.axes = std::make_shared<const std::vector<MeasuredAxes>>(std::move(axes));
+  sample_ = std::make_unique<CurveObjective>(std::move(some), choice_, std::vector<double>(), nullptr, shifts_);
+}
+
+/// Numbers the rows of measured axes.
+void CurveObjective::list_axes() {
+  if (!points_.axes) return;
+  axes_row_.assign(points_.size, 0);
+  for (std::size_t i = 0; i < points_.size; ++i)
+    if (std::isfinite((*points_.axes)[i].q)) axes_row_[i] = points_.size + axes_rows_++;
 }
 
 /// The sum over all points by rank, from parts of fixed length: it does not depend on the number of threads.

@@ -101,6 +101,16 @@ std::vector<double> variance_ratios(const Dataset& data, std::span<const std::si
   return ratios;
 }
 
+double log_variances_of_axes(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+  double sum = 0;
+  for (const std::size_t i : used) {
+    if (!std::isfinite(data.axes[i].q) || data.axes[i].sigma_q > 0) continue;
+    const bool known = StandardErrors::is_known(errors.source_A) || !errors.scatter;
+    sum += 2 * std::log(errors.axes_factor * (known ? 1 : errors.A[i] / (data.points[i].A * *errors.scatter)));
+  }
+  return sum;
+}
+
 std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
   std::vector<double> list = of_points(errors.expected, used);
   const RunDifferences& runs = errors.runs;

@@ -32,6 +32,10 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
 /// Computes FitResult::log_variances.
 double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
 
+/// The same of the axes: their variances relative to those of the areas' share before the fit, as variance_ratios has
+/// it.
+double log_variances_of_axes(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);
+
 /// What is subtracted from the residuals before decorrelation: the expected distances, and the changes due to the runs'
 /// own constants, about which they are linearised. Empty: nothing.
 std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors);

@@ -65,7 +65,8 @@ FitResult Fitter::run() {
     return finished();
   }
   const bool as_the_paper = purpose_ == Purpose::shown || (some && starting_.near.empty());
-  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper) fit_as_the_paper();
+  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper && !prepared_.model.is_elliptic())
+    fit_as_the_paper();
   // rough fractions of the time: until the minimum, and until the resampling
   const double found = options_.profile_points > 0 ? 0.1 : 0.4,
                fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
@@ -89,6 +90,7 @@ FitResult Fitter::run() {
   if (!some) {
     result_.known_errors = problem_->known_errors();
     for (const double r : result_.innovations) result_.sum_of_squares += r * r;
+    for (const double r : result_.axes_residuals) result_.sum_of_squares += r * r;
   }
   suspect_wide_errors();
   if (checked()) test_residuals(x);
@@ -120,6 +122,7 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     result_.free_parameters = unknown();  // the other parameters each have a residual: their prior
     result_.sum_of_squares *= unit_ * unit_;
     if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
+    if (result_.axes > 0) result_.log_variances += log_variances_of_axes(data_, prepared_.used, *result_.errors);
     if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
     if (deeper.empty() && checked()) test_runs(x);
     if (deeper.empty() && checked()) add_evidence(verdict);
@@ -161,7 +164,7 @@ bool Fitter::is_beyond(double most_misfit) const {
     cost->at(x, {}, at);
     if (!at.finite || at.value > before) return false;
     const auto exceeds = [&](double squares) {
-      return misfit(squares, variances, prepared_.used.size(), problem_->known_errors()) > most_misfit;
+      return misfit(squares, variances, problem_->residual_count(), problem_->known_errors()) > most_misfit;
     };
     const Eigen::VectorXd step = solve_symmetric(at.hessian, -at.gradient);
     const double fall = -at.gradient.dot(step);
@@ -189,6 +192,7 @@ void Fitter::describe() {
   result_.excluded = prepared_.excluded;
   result_.excluded_reason = prepared_.excluded_reason;
   result_.errors = prepared_.errors;
+  result_.axes = problem_->residual_count() - prepared_.used.size();
   for (const ParameterInfo& info : prepared_.model.parameters()) {
     const std::size_t k = result_.parameters.size();
     FittedParameter& shown = result_.parameters.emplace_back(
@@ -197,8 +201,13 @@ void Fitter::describe() {
   }
   for (const FreeParameter& constant : problem_->parameters()) {
     if (!constant.start) continue;
-    FittedParameter& shown = result_.parameters.emplace_back(
-        FittedParameter{constant.name, {}, {}, constant.shown(constant.lower), constant.shown(constant.upper)});
+    const auto of_model = std::find_if(result_.parameters.begin(), result_.parameters.end(),
+                                       [&](const FittedParameter& one) { return one.name == constant.name; });
+    FittedParameter& shown =
+        of_model != result_.parameters.end()
+            ? *of_model
+            : result_.parameters.emplace_back(FittedParameter{
+                  constant.name, {}, {}, constant.shown(constant.lower), constant.shown(constant.upper)});
     shown.unit = constant.unit;
     if (constant.prior > 0)
       shown.prior = {constant.shown(*constant.start), constant.prior * constant.shown_slope(*constant.start),

@@ -43,6 +43,7 @@ class Fitter {
   bool settle_errors(std::vector<double>& x);
   bool leads_to_the_same_errors(const std::vector<double>& x);
   void restore_errors();
+  double size_axes(const NearestPlaces& nearest);
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
   std::optional<NearestPlaces> nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage) const;
@@ -59,6 +60,7 @@ class Fitter {
   std::optional<double> share_taken_off(const std::vector<double>& x) const;
   std::vector<double> with_other_size(const std::vector<double>& x, bool of_T, double step, double taken) const;
   void widen_by_sizes_of_errors(const std::vector<double>& x);
+  void add_rows_of_axes(Groups& groups) const;
   void widen_by_jackknife(const RunRows& rows, const Groups& groups);
   bool refresh_columns(const std::vector<double>& x);
   bool shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest);

@@ -159,6 +159,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     double change = take_expected_off(*expected, freedom, *nearest);
     const double of_expected = change;
     expected.reset();
+    change = std::max(change, size_axes(*nearest));
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     // A model that does not describe the data says nothing about their errors. With few runs, correlated noise cannot
@@ -234,6 +235,19 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   return true;
 }
 
+/// Sets the factor on the relative errors of A that those of the axes have. Returns its relative change.
+double Fitter::size_axes(const NearestPlaces& nearest) {
+  if (nearest.axes.empty() || data_.axes[prepared_.used[0]].sigma_q > 0) return 0;
+  double squares = 0;
+  for (const double r : nearest.axes) squares += r * r;
+  // the axes' residuals determine about one parameter, the second coupling
+  const double freedom = std::max(static_cast<double>(nearest.axes.size()) - 1, 1.0),
+               change = std::sqrt(squares / freedom);
+  if (!(change > 0)) return 0;
+  prepared_.errors->axes_factor *= change;
+  return std::abs(std::log(change));
+}
+
 /// Subtracts the expected distances from the residuals. They are scaled to the noise that is found, at most to twice
 /// the stated errors. Returns the largest change since the last call.
 double Fitter::take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest) {
@@ -281,8 +295,8 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
 std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<double>& x,
                                                            std::vector<double>& leverage) const {
   constexpr std::size_t kPart = 1 << 15;
-  const std::size_t n = prepared_.used.size(), p = x.size();
-  std::vector<double> jacobian(n * p);
+  const std::size_t n = prepared_.used.size(), rows = problem_->residual_count(), p = x.size();
+  std::vector<double> jacobian(rows * p);
   auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x, jacobian);
   if (!nearest || x.empty()) {
     leverage.assign(n, 0.0);

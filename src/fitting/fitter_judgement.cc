@@ -106,6 +106,9 @@ void Fitter::add_goodness(const std::vector<double>& x) {
     return;
   }
   if (!curve) result_.residuals = result_.innovations;
+  result_.axes_residuals.assign(result_.innovations.begin() + static_cast<std::ptrdiff_t>(result_.used.size()),
+                                result_.innovations.end());
+  result_.innovations.resize(result_.used.size());
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;

@@ -133,6 +133,17 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
            EndStatus::found};
 }
 
+/// The rows of axes belong to the runs of their points.
+void Fitter::add_rows_of_axes(Groups& groups) const {
+  std::vector<std::size_t> row_of(prepared_.used.size(), 0);
+  std::size_t next = prepared_.used.size();
+  for (std::size_t i = 0; i < row_of.size(); ++i)
+    if (std::isfinite(data_.axes[prepared_.used[i]].q)) row_of[i] = next++;
+  for (std::vector<std::size_t>& group : groups)
+    for (std::size_t k = 0, points = group.size(); k < points; ++k)
+      if (row_of[group[k]] > 0) group.push_back(row_of[group[k]]);
+}
+
 /// Tests each quantity that is not fitted by run: does it differ in one run, in all, or with their order?
 void Fitter::test_runs(const std::vector<double>& x) {
   result_.run_tests.clear();
@@ -142,9 +153,11 @@ void Fitter::test_runs(const std::vector<double>& x) {
   auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
   if (!nearest) return;
   std::vector<double> residuals = std::move(nearest->residuals);
+  const std::vector<double> of_axes = std::move(nearest->axes);
   nearest.reset();
   const std::vector<double> off = taken_off(data_, prepared_.used, *prepared_.errors);
   for (std::size_t i = 0; i < off.size(); ++i) residuals[i] -= off[i];
+  residuals.insert(residuals.end(), of_axes.begin(), of_axes.end());
   const std::vector<std::string> tested = tested_quantities(data_, prepared_);
   const bool known = problem_->known_errors();
   const double rest = static_cast<double>(residuals.size()) - static_cast<double>(result_.free_parameters),
@@ -155,7 +168,8 @@ void Fitter::test_runs(const std::vector<double>& x) {
   if (!(unit > 0)) return;
   std::optional<RunRows> rows;
   Groups groups;
-  if (residuals.size() >= kManyPoints && !prepared_.errors->correlations.any() && !prepared_.errors->runs.any()) {
+  if (residuals.size() >= kManyPoints && of_axes.empty() && !prepared_.errors->correlations.any() &&
+      !prepared_.errors->runs.any()) {
     if (auto sums = summed_run_rows(data_, options_, prepared_, in_runs, x, residuals, tested, unit)) {
       rows = std::move(sums->rows);
       groups = std::move(sums->groups);
@@ -163,6 +177,7 @@ void Fitter::test_runs(const std::vector<double>& x) {
   } else {
     rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
     groups = used_runs(data_, prepared_.used).groups;
+    if (!of_axes.empty()) add_rows_of_axes(groups);
   }
   if (!rows) return;
   // Removes what is already fitted by run.

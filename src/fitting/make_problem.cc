@@ -30,6 +30,22 @@ std::vector<PointPlace> constants_of_runs(const Dataset& data, const RunDifferen
   return own;
 }
 
+/// The axes of the points. Where their errors are not stated, ln(a/b) has `axes_factor` times the relative error of A:
+/// of independent errors of a and b that are equal in share, the same as ln A.
+std::vector<MeasuredAxes> measured_axes(const Dataset& data, const PreparedFit& prepared) {
+  std::vector<MeasuredAxes> list;
+  list.reserve(prepared.used.size());
+  for (const std::size_t i : prepared.used) {
+    const PointAxes& axes = data.axes[i];
+    const double of_A = prepared.errors ? prepared.errors->A[i] / data.points[i].A : 1,
+                 factor = prepared.errors ? prepared.errors->axes_factor : 1;
+    const bool stated = axes.sigma_q > 0;
+    const double sigma_q = stated ? axes.sigma_q : factor * of_A, correlation = stated ? axes.correlation : 0;
+    list.push_back({axes.q, sigma_q * std::sqrt(1 - correlation * correlation), correlation * sigma_q / of_A});
+  }
+  return list;
+}
+
 /// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
 /// must outlive the result.
 MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
@@ -88,11 +104,18 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
   const std::size_t n = prepared.used.size();
-  if (n >= kManyPoints) return {n, shared};
-  std::vector<MeasuredPoint> list;
-  list.reserve(n);
-  for (std::size_t k = 0; k < n; ++k) list.push_back(source.at(k));
-  return list;
+  std::shared_ptr<const std::vector<MeasuredAxes>> axes;
+  if (prepared.model.is_elliptic() && !data.axes.empty())
+    axes = std::make_shared<const std::vector<MeasuredAxes>>(measured_axes(data, prepared));
+  MeasuredPoints points(n, shared);
+  if (n < kManyPoints) {
+    std::vector<MeasuredPoint> list;
+    list.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) list.push_back(source.at(k));
+    points = std::move(list);
+  }
+  points.axes = std::move(axes);
+  return points;
 }
 
 /// Per run: deviations of the model's parameters from the common ones; empty if none differ.
@@ -123,7 +146,10 @@ std::vector<ToughnessPoint> toughness_points(const Dataset& data, const Prepared
 }
 
 FreeChoice choice_of_model(const PreparedFit& prepared) {
-  return FreeChoice(prepared.model, {prepared.base, prepared.constants}, prepared.held);
+  FreeChoice choice(prepared.model, {prepared.base, prepared.constants}, prepared.held);
+  if (prepared.poisson_error > 0)
+    choice.state(kPoissonRatio, prepared.base[prepared.base.size() - 1], prepared.poisson_error);
+  return choice;
 }
 
 /// The model's free parameters and the fitted constants, with ranges: factors of a thousand, offsets of load and shear

@@ -46,6 +46,14 @@ void FreeChoice::add(Constant constant, FreeParameter parameter) {
   parameters_.push_back(std::move(parameter));
 }
 
+void FreeChoice::state(std::string_view parameter, double value, double standard_error) {
+  for (FreeParameter& one : parameters_) {
+    if (one.name != parameter) continue;
+    one.start = value;
+    one.prior = standard_error;
+  }
+}
+
 Candidate FreeChoice::candidate(std::span<const double> x) const {
   Candidate result = base_;
   for (std::size_t k = 0; k < of_model_.size(); ++k) result.parameters[of_model_[k]] = x[k];

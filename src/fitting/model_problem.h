@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "fitting/constants.h"
@@ -25,6 +26,11 @@ struct MeasuredPoint {
   PointPlace place{};
   std::size_t run = 0;            // the run, where parameters differ between runs
   double near_T = 0, near_A = 0;  // a reading of a place near the nearest point of the curve; A = 0: not known
+};
+
+/// ln(a/b) of a point's semi-axes, NaN where it was not measured, as mechanics/states.h has it.
+struct MeasuredAxes {
+  double q, sigma_q, slant;
 };
 
 /// The numbers of some measured points.
@@ -58,6 +64,7 @@ class MeasuredPoints {
   bool has_places() const { return source_->has_places(); }
 
   std::size_t size;
+  std::shared_ptr<const std::vector<MeasuredAxes>> axes{};  // null: not fitted
 
  private:
   std::shared_ptr<const PointSource> source_;
@@ -69,6 +76,8 @@ class FreeChoice {
   /// `base`: values of everything that is not free; `held`: one flag per parameter of the model; empty: none.
   FreeChoice(ContactModel model, const Candidate& base, const std::vector<bool>& held);
   void add(Constant constant, FreeParameter parameter);
+  /// States a free parameter of the model with a standard error: it gets a prior.
+  void state(std::string_view parameter, double value, double standard_error);
 
   const ContactModel& model() const { return model_; }
   const std::vector<FreeParameter>& parameters() const { return parameters_; }

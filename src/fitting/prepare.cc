@@ -26,8 +26,15 @@ double held_value(const HeldParameter& held, const ParameterInfo& info, const Da
 }
 
 /// Throws InputError if the options require what the data set lacks.
-void require_what_is_asked(const Dataset& data, const FitOptions& options, Objective objective) {
+void require_what_is_asked(const Dataset& data, const ContactModel& model, const FitOptions& options,
+                           Objective objective) {
   const auto refuse = [&](const Message& message) { throw InputError(data.path, message); };
+  if (model.is_elliptic() && !data.has_loads)
+    refuse(
+        "elliptic contacts are fitted to loads and areas or axes (columns P, T, A or a_par, a_perp); this file has " +
+        std::string(data.has_energies ? "G_I and G_II" : "psi and Gc"));
+  if (model.is_elliptic() && objective != Objective::curve)
+    refuse("elliptic contacts have no single phase angle: fit them with " + Remedy::set("objective", "curve"));
   const bool uncertain = fitted_constants(data, options).size() > options.free.size();
   const std::string columns = data.has_energies ? "G_I and G_II" : "psi and Gc";
   const bool curve = objective == Objective::curve, energies = curve && data.has_energies;
@@ -45,6 +52,10 @@ void require_what_is_asked(const Dataset& data, const FitOptions& options, Objec
   if (data.several_spheres && std::any_of(options.free.begin(), options.free.end(),
                                           [](Constant c) { return c >= kLoadOffset && c <= kAreaOffset; }))
     refuse(kNoOffsets);
+  if (model.is_elliptic() && !data.axes.empty() && !options.by_run.empty())
+    refuse("what differs by run is fitted to areas: the axes of elliptic contacts have one set of parameters");
+  if (model.is_elliptic() && !data.axes.empty() && (options.bootstrap.replicates > 0 || options.influence))
+    refuse("bootstrap and influence are of points with areas alone: the axes of elliptic contacts are not resampled");
   if (data.has_energies && !curve && !options.free.empty())
     refuse("with energies (G_I, G_II), the toughness can be free under " + Remedy::set("objective", "curve"));
   if (!data.toughness_known && !(energies && !options.free.empty()))
@@ -105,6 +116,16 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
     for (std::size_t i = 0; i < data.points.size(); ++i) consider(i);
 }
 
+/// Poisson's ratio of elliptic contacts: as stated, with its error as a prior, or of an incompressible body.
+void take_poisson_ratio(const Dataset& data, PreparedFit& prepared) {
+  const std::size_t last = prepared.held.size() - 1;
+  if (prepared.held[last]) return;
+  const std::optional<double>& stated = data.metadata.poisson_ratio;
+  prepared.base[last] = stated.value_or(0.5);
+  prepared.poisson_error = stated ? data.metadata.standard_error(kPoissonRatio) : 0;
+  prepared.held[last] = !(prepared.poisson_error > 0);
+}
+
 /// Sets held values, and typical ones for the other parameters.
 void hold_parameters(const Dataset& data, const FitOptions& options, PreparedFit& prepared) {
   const std::span<const ParameterInfo> infos = prepared.model.parameters();
@@ -119,6 +140,7 @@ void hold_parameters(const Dataset& data, const FitOptions& options, PreparedFit
       }
   }
   prepared.base = ParameterValues(base);
+  if (prepared.model.is_elliptic()) take_poisson_ratio(data, prepared);
 }
 
 }  // namespace
@@ -136,7 +158,7 @@ std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptio
 
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
                     const std::vector<std::size_t>* points) {
-  require_what_is_asked(data, options, objective);
+  require_what_is_asked(data, model, options, objective);
   PreparedFit prepared{model, objective};
   prepared.constants = constants_of(data, options);
   prepared.fitted = fitted_constants(data, options);

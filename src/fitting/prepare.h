@@ -23,6 +23,7 @@ struct PreparedFit {
   std::shared_ptr<const std::string> excluded_reason{};  // owns the text that `excluded` refers to
   ParameterValues base{};                                // held values; typical ones for the other parameters
   std::vector<bool> held{};
+  double poisson_error = 0;  // of elliptic contacts: the stated standard error of Poisson's ratio; 0: held
   std::shared_ptr<StandardErrors> errors{};  // if the objective uses them; shared by copies
   Constants constants{};                     // only those that are not fitted are used
   std::vector<FittedConstant> fitted{};      // free ones first

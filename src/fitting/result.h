@@ -244,20 +244,24 @@ struct FitResult {
   std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;
   std::optional<Influence> influence;  // changes in the user's units; points as in `used`
+  std::vector<double> axes_residuals;  // of the points whose axes are fitted, in standard errors
+  std::size_t axes = 0;                // how many residuals are those of the axes of elliptic contacts
   std::vector<std::string> run_names;  // names for Influence::runs
   double loss_scale = 0;               // in units of the residuals; 0 without a robust loss
   double loss_freedom = 0;             // fitted degrees of freedom of the loss `t`; 0 for other losses
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
-  /// Degrees of freedom: points minus free parameters, at least 0.
-  std::size_t freedom() const { return used.size() > free_parameters ? used.size() - free_parameters : 0; }
+  /// The number of residuals: of the points, and of the axes of elliptic contacts.
+  std::size_t rows() const { return used.size() + axes; }
+  /// Degrees of freedom: residuals minus free parameters, at least 0.
+  std::size_t freedom() const { return rows() > free_parameters ? rows() - free_parameters : 0; }
 };
 
 /// The sum of squares as if all fits of these points had the same errors: -2 ln L is n ln(S/n), or S where the errors
 /// are known.
 inline double comparable_squares(const FitResult& fit) {
   if (fit.known_errors) return fit.sum_of_squares + fit.log_variances;
-  return fit.sum_of_squares * std::exp(fit.log_variances / static_cast<double>(fit.used.size()));
+  return fit.sum_of_squares * std::exp(fit.log_variances / static_cast<double>(fit.rows()));
 }
 
 /// Whether all parameters have values.

@@ -149,16 +149,18 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
     found.Z.col(q) = whole.col(of_quantities[static_cast<std::size_t>(q)]) / unit;
   const auto neighbours = neighbours_of(data, prepared.used, *prepared.errors);
   std::vector<double> r = residuals;
+  r.resize(n);
+  const std::size_t points = prepared.used.size();  // the rows of axes follow
   if (neighbours) {
-    neighbours->apply(r);
-    for (std::size_t k = 0; k < width; ++k) neighbours->apply(std::span(jacobian).subspan(k), width);
+    neighbours->apply(std::span(r).first(points));
+    for (std::size_t k = 0; k < width; ++k)
+      neighbours->apply(std::span(jacobian).first(points * width).subspan(k), width);
   }
   found.J = whole.leftCols(columns) / unit;
   found.r = as_vector(r) / unit;
   found.Zw = found.Z;
   if (neighbours)
-    for (Eigen::Index q = 0; q < effects; ++q)
-      neighbours->apply({found.Zw.col(q).data(), static_cast<std::size_t>(rows)});
+    for (Eigen::Index q = 0; q < effects; ++q) neighbours->apply({found.Zw.col(q).data(), points});
   add_priors(parameters, x, found);
   if (!found.J.allFinite() || !found.Zw.allFinite() || !found.r.allFinite()) return std::nullopt;
   return found;

@@ -21,6 +21,9 @@
 
 namespace mixity {
 
+/// The last parameter of each model of elliptic contacts.
+inline constexpr std::string_view kPoissonRatio = "poisson_ratio";
+
 /// What the law does at the two ends. poisson_ratio: of the compliant body, in [0, 1/2].
 struct EndParameters {
   std::span<const double> mode_II, mode_III;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mechanics/elliptic_equations.h"
+#include "mechanics/roots.h"
 #include "mechanics/states.h"
 
 namespace mixity {
@@ -21,14 +22,16 @@ struct EllipticReading {
 };
 
 template <class Law>
-class EllipticCurve : private EllipticEquations<Law> {
+class EllipticCurve : public EllipticEquations<Law> {
   using Equations = EllipticEquations<Law>;
-  using Equations::edge_load_at, Equations::residuals, Equations::mark_at, Equations::newton_at, Equations::P_;
-  using Equations::S0_;
-  using typename Equations::Mark, typename Equations::Residuals;
+  using Equations::P_, Equations::S0_;
 
  public:
+  using typename Equations::Mark, typename Equations::Residuals;
+  using Equations::edge_load_at, Equations::residuals, Equations::mark_at, Equations::newton_at;
   using Vector = std::array<double, 3>;  // in standard errors of T, A and q
+
+  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
   /// A state on the curve, with its derivatives along the curve's parameter: phi, or T towards an asymptote.
   struct Spot {
@@ -41,7 +44,7 @@ class EllipticCurve : private EllipticEquations<Law> {
                 double P, double T_most)
       : Equations(law, mode_II, mode_III, poisson_ratio, P) {
     spots_.push_back(spot_of(Equations::first_mark()));
-    if (!Equations::uncoupled()) walk(T_most);
+    if (!Equations::uncoupled() && begin()) walk(T_most);
   }
 
   /// The nearest state, and whether it is the end of the curve.
@@ -50,35 +53,46 @@ class EllipticCurve : private EllipticEquations<Law> {
     bool at_end;
     double square;
   };
-  Nearest nearest(const EllipticReading& to) const {
+  Nearest nearest(const EllipticReading& to) {
     if (Equations::uncoupled()) {
       Spot spot = spots_[0];
-      spot.T = to.T;
+      spot.at = spot.T = to.T;
       spot.dT = 1;
+      spot.by_T = true;
       return {spot, false, square_of(offset(spot, to))};
     }
-    std::array<double, 3> squares{};  // to the chords before, at and after the one in question
-    Nearest best{spots_[0], false, square_of(offset(spots_[0], to))};
+    // the nearest chord first; then those that are nearer than their neighbours and may hide a nearer state
     const std::size_t chords = spots_.size() - 1;
-    for (std::size_t i = 0; i <= chords; ++i) {
-      squares = {squares[1], squares[2], i < chords ? chord_square(i, to) : std::numeric_limits<double>::infinity()};
-      if (i == 0 || squares[1] > squares[2] || (i > 1 && squares[1] > squares[0])) continue;
-      const Nearest found = refined(i - 1, to);
-      if (found.square < best.square) best = found;
+    squares_.resize(chords + 2);
+    squares_[0] = squares_[chords + 1] = std::numeric_limits<double>::infinity();
+    std::size_t first = 1;
+    for (std::size_t i = 1; i <= chords; ++i) {
+      squares_[i] = chord_square(i - 1, to);
+      if (squares_[i] < squares_[first]) first = i;
+    }
+    Nearest best{spots_[0], false, square_of(offset(spots_[0], to))};
+    if (chords == 0) return best;
+    if (const Nearest found = refined(first - 1, to); found.square < best.square) best = found;
+    for (std::size_t i = 1; i <= chords; ++i) {
+      if (i == first || squares_[i] > squares_[i - 1] || squares_[i] > squares_[i + 1] || !std::isfinite(squares_[i]))
+        continue;
+      if (std::sqrt(squares_[i]) - sag(i - 1, to) > std::sqrt(best.square)) continue;
+      if (const Nearest found = refined(i - 1, to); found.square < best.square) best = found;
     }
     return best;
   }
 
   /// The T at which the curve first has this area; NaN if it never does.
   double shear_at(double A) const {
-    for (std::size_t i = 0; i + 1 < spots_.size() && !spots_[i + 1].by_T; ++i) {
+    for (std::size_t i = 0; i + 1 < spots_.size(); ++i) {
       const Spot &low = spots_[i], &high = spots_[i + 1];
-      if (A > low.A || A < high.A) continue;
-      const double w = 4.0 / 3 * std::pow(A / pi<double>(), 1.5);
-      const double phi =
-          std::clamp(std::acos(std::clamp((w - P_ - 3 * pi<double>()) / S0_, -1.0, 1.0)), low.at, high.at);
-      const auto mark = between(low, high, phi);
-      return mark ? mark->T : std::numeric_limits<double>::quiet_NaN();
+      if (low.by_T != high.by_T || A > low.A || A < high.A) continue;
+      if (A == low.A) return low.T;
+      const double at =
+          root_between([&](double x) { return x < high.at ? between(low, high, x).value_or(low).A - A : high.A - A; },
+                       low.at, high.at);
+      const auto spot = between(low, high, at);
+      return spot ? spot->T : std::numeric_limits<double>::quiet_NaN();
     }
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -110,74 +124,25 @@ class EllipticCurve : private EllipticEquations<Law> {
             (spot.q - from.q - from.slant * (spot.A / from.A - 1)) / from.sigma_q};
   }
 
-  /// Writes the residuals of a reading at its nearest state, and their derivatives, in P and in the parameters of mode
-  /// II, mode III and Poisson's ratio. The first residual is the distance along the normal in the plane of T and A, the
-  /// second that along the normal perpendicular to it; the sum of their squares is that of the distance. The basis of
-  /// the normals turns along the curve, which the derivatives leave out: in those of the sum of squares it cancels.
-  struct Residual {
-    double r[2], dT[2], dA[2];  // dT, dA: in the reading
-  };
-  template <class Write>
-  Residual residual(const Nearest& near, const EllipticReading& to, const Write& write) const {
-    const Spot& s = near.spot;
-    const Vector x = offset(s, to);
-    const Residuals F = residuals(s.w - P_, s.q, s.T * s.T);
-    const double w_A = w_of_A(s.A), turn = to.slant / to.A;
-    const double sigma_q = std::isfinite(to.sigma_q) ? to.sigma_q : 1;
-    // rows: the gradients of both equations in the space of standard errors
-    double g[2][3];
-    for (int k = 0; k < 2; ++k) {
-      g[k][0] = F.S[k] * 2 * s.T * to.sigma_T;
-      g[k][1] = (F.w[k] * w_A + F.q[k] * turn) * to.sigma_A;
-      g[k][2] = F.q[k] * sigma_q;
-    }
-    Vector t{g[0][1] * g[1][2] - g[0][2] * g[1][1], g[0][2] * g[1][0] - g[0][0] * g[1][2],
-             g[0][0] * g[1][1] - g[0][1] * g[1][0]};
-    const double sign = t[1] > 0 || (t[1] == 0 && t[0] < 0) ? -1 : 1;  // towards smaller areas
-    for (double& one : t) one *= sign;
-    const double plane = std::hypot(t[0], t[1]), size = std::hypot(plane, t[2]);
-    const Vector n1{-t[1] / plane, t[0] / plane, 0},
-        n2{-t[0] * t[2] / (plane * size), -t[1] * t[2] / (plane * size), plane / size};
-    Residual out{};
-    const double on_plane = std::hypot(x[0], x[1]);
-    out.r[0] = near.at_end ? std::copysign(on_plane, dot(n1, x)) : dot(n1, x);
-    out.r[1] = near.at_end ? x[2] : dot(n2, x);
-    const Vector e1 = near.at_end ? Vector{x[0] / out.r[0], x[1] / out.r[0], 0} : n1,
-                 e2 = near.at_end ? Vector{0, 0, 1} : n2;
-    for (int j = 0; j < 2; ++j) {
-      const Vector& e = j == 0 ? e1 : e2;
-      out.dT[j] = -e[0] / to.sigma_T;
-      out.dA[j] = -e[1] / to.sigma_A + e[2] * turn * s.A / (to.A * sigma_q);
-    }
-    const std::array<double, 2> of_n{g[0][0] * n1[0] + g[0][1] * n1[1], g[1][0] * n1[0] + g[1][1] * n1[1]};
-    const std::array<double, 2> of_m{g[0][0] * n2[0] + g[0][1] * n2[1] + g[0][2] * n2[2],
-                                     g[1][0] * n2[0] + g[1][1] * n2[1] + g[1][2] * n2[2]};
-    const double determinant = of_n[0] * of_m[1] - of_n[1] * of_m[0];
-    const auto end_moves = end_of(near, F);
-    std::size_t k = 0;
-    Equations::each_derivative(s.w, s.q, s.T, [&](double first, double second) {
-      // k = 0 is P, at fixed w
-      if (near.at_end) {
-        const auto [dw, dq, dS] = end_moves(first, second, k == 0 ? 1.0 : 0.0);
-        const Vector d{s.T > 0 ? dS / (2 * s.T * to.sigma_T) : 0, dw / w_A / to.sigma_A,
-                       (dq - turn * dw / w_A) / sigma_q};
-        write(k++, dot(e1, d), dot(e2, d));
-        return;
-      }
-      write(k++, -(first * of_m[1] - second * of_m[0]) / determinant,
-            -(of_n[0] * second - of_n[1] * first) / determinant);
-    });
-    return out;
+  /// The state at another value of the parameter, beside one. Null where there is none.
+  std::optional<Spot> beside(const Spot& spot, double step) const {
+    if (spot.by_T) return spot_at_T(spot.at + step, spot.w, spot.q + step * spot.dq);
+    const auto mark = mark_at(spot.at + step, spot.q + step * spot.dq, spot.T + step * spot.dT);
+    return mark ? std::optional(spot_of(*mark)) : std::nullopt;
   }
+  /// A step of the parameter over which the curve hardly bends.
+  double short_step(const Spot& spot) const {
+    return 1e-3 * (spot.by_T ? std::max(spot.T, spots_.size() > 1 ? spots_[1].T : 1.0) : 1.0);
+  }
+  /// dw/dA
+  static double load_per_area(double A) { return 2 * std::sqrt(A / pi<double>()) / pi<double>(); }
 
  private:
-  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   static double square_of(const Vector& v) { return dot(v, v); }
   static double area_of(double w) {
     const double c = std::cbrt(0.75 * w);
     return pi<double>() * c * c;
   }
-  static double w_of_A(double A) { return 2 * std::sqrt(A / pi<double>()) / pi<double>(); }  // dw/dA
 
   Spot spot_of(const Mark& mark) const {
     const double y = edge_load_at(mark.phi), w = y + P_, A = area_of(w);
@@ -206,13 +171,28 @@ class EllipticCurve : private EllipticEquations<Law> {
     return Spot{T, y + P_, there, T, A, 1, 2 * A / (3 * (y + P_)) * dw, dq, 0, true};
   }
 
-  /// At phi between two spots.
-  std::optional<Spot> between(const Spot& low, const Spot& high, double phi) const {
-    const double width = high.at - low.at, x = (phi - low.at) / width;
-    if (!(phi > 1e-9)) return spots_[0];
-    const auto mark = mark_at(phi, cubic(x, width, low.q, low.dq, high.q, high.dq),
-                              std::max(cubic(x, width, low.T, low.dT, high.T, high.dT), 0.25 * high.T));
+  /// Between two spots.
+  std::optional<Spot> between(const Spot& low, const Spot& high, double at) const {
+    const double width = high.at - low.at, x = (at - low.at) / width,
+                 q = cubic(x, width, low.q, low.dq, high.q, high.dq);
+    if (high.by_T) return spot_at_T(at, low.w + x * (high.w - low.w), q);
+    const auto mark = mark_at(at, q, std::max(cubic(x, width, low.T, low.dT, high.T, high.dT), 0.25 * high.T));
     return mark ? std::optional(spot_of(*mark)) : std::nullopt;
+  }
+
+  /// The first chord has the parameter T: at small phi, T is determined poorly by w. False if there is none.
+  bool begin() {
+    constexpr double kFirst = 0.12;
+    const Mark first = Equations::first_mark();
+    for (double phi = kFirst; phi > 1e-3; phi *= 0.5) {
+      const auto mark = mark_at(phi, 0, phi * first.T_slope);
+      const auto start = mark && mark->T_slope > 0 ? spot_at_T(0, spots_[0].w, 0) : std::nullopt,
+                 end = start ? spot_at_T(mark->T, edge_load_at(phi) + P_, mark->q) : std::nullopt;
+      if (!end) continue;
+      spots_ = {*start, *end, spot_of(*mark)};
+      return true;
+    }
+    return false;
   }
 
   void walk(double T_most) {
@@ -249,10 +229,20 @@ class EllipticCurve : private EllipticEquations<Law> {
   }
 
   double chord_square(std::size_t i, const EllipticReading& to) const {
+    if (spots_[i].by_T != spots_[i + 1].by_T) return std::numeric_limits<double>::infinity();
     const Vector a = offset(spots_[i], to), b = offset(spots_[i + 1], to);
     const Vector d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const double length = square_of(d), x = length > 0 ? std::clamp(-dot(a, d) / length, 0.0, 1.0) : 0.0;
     return square_of({a[0] + x * d[0], a[1] + x * d[1], a[2] + x * d[2]});
+  }
+
+  /// How far the curve may lie from its chord, in standard errors: twice what it does in the middle.
+  double sag(std::size_t i, const EllipticReading& to) const {
+    const Spot &low = spots_[i], &high = spots_[i + 1];
+    const double eighth = (high.at - low.at) / 8;
+    const Vector d{eighth * (low.dT - high.dT) / to.sigma_T, eighth * (low.dA - high.dA) / to.sigma_A,
+                   eighth * (low.dq - high.dq - to.slant * (low.dA - high.dA) / to.A) / to.sigma_q};
+    return 2 * std::sqrt(square_of(d));
   }
 
   static double cubic(double x, double h, double f0, double d0, double f1, double d1) {
@@ -260,14 +250,49 @@ class EllipticCurve : private EllipticEquations<Law> {
     return f0 * rest * rest * (1 + 2 * x) + f1 * x * x * (3 - 2 * x) + h * x * rest * (d0 * rest - d1 * x);
   }
 
+  /// The second derivative of the cubic.
+  static double second(double x, double h, double f0, double d0, double f1, double d1) {
+    return ((6 - 12 * x) * (f1 - f0) / h + (6 * x - 4) * d0 + (6 * x - 2) * d1) / h;
+  }
+
+  /// The nearest part of a chord on Hermite's cubics, as a start.
+  double nearest_on_cubic(const Spot& low, const Spot& high, double h, double x, const EllipticReading& to) const {
+    constexpr int kSteps = 5;
+    const double per[3]{1 / to.sigma_T, 1 / to.sigma_A, 1 / to.sigma_q};
+    const auto third = [&](const Spot& s) {
+      return std::pair(s.q - to.q - to.slant * (s.A / to.A - 1), s.dq - to.slant * s.dA / to.A);
+    };
+    const auto [q0, dq0] = third(low);
+    const auto [q1, dq1] = third(high);
+    const double f0[3]{low.T - to.T, low.A - to.A, q0}, f1[3]{high.T - to.T, high.A - to.A, q1},
+        d0[3]{low.dT, low.dA, dq0}, d1[3]{high.dT, high.dA, dq1};
+    for (int k = 0; k < kSteps; ++k) {
+      double slope = 0, bend = 0, speed = 0;
+      for (int c = 0; c < 3; ++c) {
+        const double rest = 1 - x, f = per[c] * cubic(x, h, f0[c], d0[c], f1[c], d1[c]),
+                     d = per[c] *
+                         (6 * x * rest * (f1[c] - f0[c]) / h + d0[c] * rest * (1 - 3 * x) + d1[c] * x * (3 * x - 2));
+        slope += f * d;
+        speed += d * d;
+        bend += d * d + f * per[c] * second(x, h, f0[c], d0[c], f1[c], d1[c]);
+      }
+      if (!(speed > 0)) break;
+      const double next = std::clamp(x - slope / ((bend > 0.1 * speed ? bend : speed) * h), 0.0, 1.0);
+      const bool done = std::abs(next - x) < 1e-7;
+      x = next;
+      if (done) break;
+    }
+    return x;
+  }
+
   /// Newton's method for the place where the offset is perpendicular to the curve, from a chord; secants after the
   /// first step. Stays within the chord and its neighbours.
   Nearest refined(std::size_t i, const EllipticReading& to) const {
     constexpr int kMost = 30;
-    constexpr double kNear = 1e-9;  // in standard errors along the curve: the distance is exact to its square
+    constexpr double kNear = 1e-12, kRounding = 1e-8;  // in standard errors along the curve
     const Spot &low = spots_[i], &high = spots_[i + 1];
     const bool by_T = high.by_T;
-    const std::size_t first = i > 0 && spots_[i].by_T == by_T ? i - 1 : i,
+    const std::size_t first = i > 0 && spots_[i - 1].by_T == by_T ? i - 1 : i,
                       last = i + 2 < spots_.size() && spots_[i + 2].by_T == by_T ? i + 2 : i + 1;
     const double least = spots_[first].at, most = spots_[last].at, width = high.at - low.at;
     const Vector a = offset(low, to), b = offset(high, to), d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -275,14 +300,14 @@ class EllipticCurve : private EllipticEquations<Law> {
     if (!(width > 0)) return {low, false, square_of(a)};
     const auto solved = [&](double at, double w, double q, double T) -> std::optional<Spot> {
       if (by_T) return spot_at_T(at, w, q);
-      if (at <= 1e-9) return spots_[0];
       const auto mark = mark_at(at, q, T);
       return mark ? std::optional(spot_of(*mark)) : std::nullopt;
     };
-    double at = low.at + part * width;
+    const double x0 = nearest_on_cubic(low, high, width, part, to), at_first = low.at + x0 * width;
+    double at = at_first;
     std::optional<Spot> spot =
-        solved(at, low.w + part * (high.w - low.w), cubic(part, width, low.q, low.dq, high.q, high.dq),
-               std::max(cubic(part, width, low.T, low.dT, high.T, high.dT), 0.5 * std::min(low.T, high.T)));
+        solved(at, low.w + x0 * (high.w - low.w), cubic(x0, width, low.q, low.dq, high.q, high.dq),
+               std::max(cubic(x0, width, low.T, low.dT, high.T, high.dT), 0.5 * std::min(low.T, high.T)));
     if (!spot) {  // beside the end of the curve
       spot = part < 0.5 ? low : high;
       at = spot->at;
@@ -292,8 +317,11 @@ class EllipticCurve : private EllipticEquations<Law> {
       const Vector x = offset(*spot, to), along{spot->dT / to.sigma_T, spot->dA / to.sigma_A,
                                                 (spot->dq - to.slant * spot->dA / to.A) / to.sigma_q};
       const double h = dot(x, along), speed = square_of(along);
-      if (std::abs(h) <= kNear * std::sqrt(speed)) break;
-      double bend = speed + x[1] * spot->ddA / to.sigma_A;
+      const bool stalls = k > 0 && std::abs(h) >= 0.5 * std::abs(last_h);
+      if (std::abs(h) <= (stalls ? kRounding : kNear) * std::sqrt(speed)) break;
+      const double part_now = std::clamp((at - low.at) / width, 0.0, 1.0);
+      double bend = speed + x[1] * (by_T ? (high.dA - low.dA) / width : spot->ddA) / to.sigma_A +
+                    x[0] * second(part_now, width, low.T, low.dT, high.T, high.dT) / to.sigma_T;
       if (k > 0 && at != last_at) bend = (h - last_h) / (at - last_at);
       if (!(bend > 0.1 * speed)) bend = speed;
       const double next = std::clamp(at - h / bend, least, most);
@@ -329,32 +357,8 @@ class EllipticCurve : private EllipticEquations<Law> {
            0;
   }
 
-  /// How the end, where K_I reaches 0 at one axis, moves with a change of the residuals and of P.
-  auto end_of(const Nearest& near, const Residuals& F) const {
-    double inverse[3][3]{};
-    if (near.at_end) {
-      const EllipsePressure g = ellipse_pressure(near.spot.q);
-      const bool along = near.spot.w * g.along < near.spot.w * g.across;
-      const double m[3][3]{{F.w[0], F.q[0], F.S[0]},
-                           {F.w[1], F.q[1], F.S[1]},
-                           {along ? g.along : g.across, near.spot.w * (along ? g.along_slope : g.across_slope), 0}};
-      const auto cofactor = [&](int r, int c) {
-        const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-        return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
-      };
-      const double determinant = m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
-      for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) inverse[c][r] = cofactor(r, c) / determinant;
-    }
-    return [inverse](double first, double second, double of_P) {
-      std::array<double, 3> d{};
-      for (int r = 0; r < 3; ++r)
-        d[static_cast<std::size_t>(r)] = -inverse[r][0] * first - inverse[r][1] * second + inverse[r][2] * of_P;
-      return d;
-    };
-  }
-
   std::vector<Spot> spots_;
+  std::vector<double> squares_;  // of the distances from the chords, with infinity at both ends
 };
 
 }  // namespace mixity

@@ -95,9 +95,10 @@ class EllipticEquations {
   /// The mark at phi > 0, from a guess. Null if Newton's method does not arrive, or where K_I < 0.
   std::optional<Mark> mark_at(double phi, double q, double T) const {
     constexpr int kMost = 25;
-    constexpr double kRounding = 1e-15;
+    constexpr double kNear = 1e-8;  // Newton's next step ends at rounding
     const double y = edge_load_at(phi);
-    double S = T * T, last = std::numeric_limits<double>::infinity();
+    double S = T * T;
+    bool near = false;
     for (int i = 0; i < kMost; ++i) {
       const Residuals r = residuals(y, q, S);
       if (!(r.least > 0)) return std::nullopt;
@@ -106,14 +107,12 @@ class EllipticEquations {
       if (!std::isfinite(size)) return std::nullopt;
       q -= std::clamp(dq, -0.5, 0.5);
       S = std::max(S - dS, 0.25 * S);
-      if (size <= kRounding || (size < 1e-9 && size >= 0.5 * last)) {
-        const Residuals at = residuals(y, q, S);
-        if (!(at.least > 0)) return std::nullopt;
-        const auto [q_w, S_w] = solved(at, at.w);
+      if (near && size <= kNear) {
+        const auto [q_w, S_w] = solved(r, r.w);
         const double w_slope = -S0_ * std::sin(phi), root = std::sqrt(S);
         return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root)};
       }
-      last = size;
+      near = size <= kNear;
     }
     return std::nullopt;
   }

@@ -6,6 +6,7 @@
 
 #include "mechanics/elliptic_contact.h"
 #include "mechanics/elliptic_curve.h"
+#include "mechanics/elliptic_residual.h"
 #include "mechanics/non_monotone_curve.h"
 
 namespace mixity {
@@ -25,7 +26,7 @@ std::shared_ptr<const AnyLaw> made(const ContactModel& circle, std::shared_ptr<c
       equal ? std::vector<std::string>{""} : std::vector<std::string>{"_II", "_III"};
   for (const std::string& ending : endings)
     for (const ParameterInfo& one : law->parameters) model->names.push_back(std::string(one.name) + ending);
-  model->names.emplace_back("poisson_ratio");
+  model->names.emplace_back(kPoissonRatio);
   for (std::size_t i = 0; i < model->names.size(); ++i) {
     const bool of_law = i + 1 < model->names.size();
     ParameterInfo one = of_law ? law->parameters[i % law->parameters.size()] : ParameterInfo{{}, 0, 0.5, 0.5};
@@ -271,41 +272,34 @@ bool curve_distances(const EllipticModel& model, ParameterSpan p, const PlanePoi
         out.place_A[i] = near.spot.A;
       }
       if (!out.place_q.empty()) out.place_q[i] = near.spot.q;
-      const auto r = curve->residual(near, reading, [&](std::size_t k, double first, double second) {
-        if (!derivatives) return;
-        const auto put = [&](std::span<double> of_P, std::span<double> parameters, double slope) {
-          if (k == 0) {
-            of_P[i] = slope;
-            return;
-          }
-          const std::size_t at = k - 1;
-          double* const row = &parameters[i * count];
-          if (at == 2 * half)
-            row[count - 1] = slope;
-          else if (model.equal && at >= half)
-            row[at - half] += slope;
-          else
-            row[at] = slope;
-        };
-        put(out.dP, out.parameters, first);
-        if (axes) put(out.axes.dP, out.axes.parameters, second);
-      });
-      out.r[i] = r.r[0];
-      if (!std::isfinite(r.r[0])) return false;
-      if (derivatives) {
-        out.dT[i] = sign * r.dT[0];
-        out.dA[i] = r.dA[0];
-        for (std::size_t k = 0; k < count; ++k)
-          if (!std::isfinite(out.parameters[i * count + k])) return false;
-      }
-      if (!axes) continue;
-      out.axes.r[i] = sided ? r.r[1] : 0;
+      EllipticResidual<Law> residual(*curve, P, near, reading);
+      out.r[i] = residual.value()[0];
+      if (axes) out.axes.r[i] = sided ? residual.value()[1] : 0;
+      if (!std::isfinite(out.r[i])) return false;
       if (!derivatives) continue;
-      out.axes.dT[i] = sided ? sign * r.dT[1] : 0;
-      out.axes.dA[i] = sided ? r.dA[1] : 0;
-      if (sided) continue;
-      out.axes.dP[i] = 0;
-      std::fill_n(&out.axes.parameters[i * count], count, 0.0);
+      residual.differentiate();
+      const auto set = [&](std::span<double> first, std::span<double> second, const std::array<double, 2>& d) {
+        first[i] = d[0];
+        if (axes) second[i] = sided ? d[1] : 0;
+      };
+      set(out.dP, out.axes.dP, residual.by(0));
+      const auto of_T = residual.by_T();
+      set(out.dT, out.axes.dT, {sign * of_T[0], sign * of_T[1]});
+      set(out.dA, out.axes.dA, residual.by_A());
+      if (axes) {
+        set(out.axes.of_sigma_T, out.axes.own_sigma_T, residual.by_sigma_T());
+        set(out.axes.of_sigma_A, out.axes.own_sigma_A, residual.by_sigma_A());
+      }
+      std::fill_n(&out.parameters[i * count], count, 0.0);
+      if (axes) std::fill_n(&out.axes.parameters[i * count], count, 0.0);
+      for (std::size_t k = 1; k < residual.count(); ++k) {
+        const std::size_t at = k == residual.count() - 1 ? count - 1 : model.equal ? (k - 1) % half : k - 1;
+        const auto d = residual.by(k);
+        out.parameters[i * count + at] += d[0];
+        if (sided) out.axes.parameters[i * count + at] += d[1];
+      }
+      for (std::size_t k = 0; k < count; ++k)
+        if (!std::isfinite(out.parameters[i * count + k])) return false;
     }
     return true;
   });

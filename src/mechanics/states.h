@@ -178,6 +178,8 @@ struct CurveDistances {
   std::span<double> r, dP, dT, dA, parameters, place_T{}, place_A{};
   struct Axes {
     std::span<double> r, dP, dT, dA, parameters;
+    // in ln sigma_T and ln sigma_A: of the first residual, and of this one
+    std::span<double> of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A;
   } axes{};
   std::span<double> place_q{};
 };

@@ -58,14 +58,15 @@ Readings beside(const ContactModel& of, const ParameterValues& p, std::vector<do
 }
 
 struct Distances {
-  std::vector<double> r, dP, dT, dA, p, T, A, q, axes_r, axes_dP, axes_dT, axes_dA, axes_p;
+  std::vector<double> r, dP, dT, dA, p, T, A, q, axes_r, axes_dP, axes_dT, axes_dA, axes_p, s1, s2, s3, s4;
   bool good = false;
   Distances(const ContactModel& of, const ParameterValues& at, const PlanePoints& points) {
     const std::size_t n = points.P.size();
-    for (auto* const one : {&r, &dP, &dT, &dA, &T, &A, &q, &axes_r, &axes_dP, &axes_dT, &axes_dA}) one->resize(n);
+    for (auto* const one : {&r, &dP, &dT, &dA, &T, &A, &q, &axes_r, &axes_dP, &axes_dT, &axes_dA, &s1, &s2, &s3, &s4})
+      one->resize(n);
     p.resize(n * at.size());
     axes_p.resize(n * at.size());
-    CurveDistances out{r, dP, dT, dA, p, T, A, {axes_r, axes_dP, axes_dT, axes_dA, axes_p}, q};
+    CurveDistances out{r, dP, dT, dA, p, T, A, {axes_r, axes_dP, axes_dT, axes_dA, axes_p, s1, s2, s3, s4}, q};
     good = of.curve_distances(at, points, Search::global, true, out);
   }
   double squares() const {
@@ -145,49 +146,46 @@ TEST(EllipticModel, FindsTheNearestState) {
   }
 }
 
-/// The residuals' basis turns along the curve, so that the sum of squares is what has the derivatives of the rows.
-TEST(EllipticModel, HasTheDerivativesOfTheSumOfSquares) {
+/// Against central differences, of each residual by itself.
+TEST(EllipticModel, HasTheDerivativesOfItsResiduals) {
   for (const auto& [key, p] : std::vector<std::pair<const char*, ParameterValues>>{
            {"c-ellipse", {0.3, 0.1, 0.4}}, {"b-ellipse", {0.6, 0.3, 0.4}}, {"c-ellipse-equal", {0.2, 0.4}}}) {
     const ContactModel of = model(key);
-    const Readings readings = beside(of, p, {-2.0, 3.0, 20.0}, 0.05, 12, 0.3);
+    Readings readings = beside(of, p, {-2.0, 3.0, 20.0}, 0.05, 12, 0.3);
     const Distances at(of, p, readings.points(true));
     ASSERT_TRUE(at.good);
-    const std::size_t count = p.size();
+    const std::size_t count = p.size(), n = readings.size();
+    // differences are good to 1e-10/h; that of the direction of the curve over a short step to 1e-6 of a small part
+    const auto compare = [&](const Distances& up, const Distances& down, double h, std::size_t i, double slope,
+                             double axes_slope, const std::string& what) {
+      const double right = (up.r[i] - down.r[i]) / (2 * h), axes_right = (up.axes_r[i] - down.axes_r[i]) / (2 * h);
+      const double size = std::abs(right) + std::abs(axes_right);
+      EXPECT_NEAR(slope, right, 3e-6 * size + 1e-9 / h) << key << ' ' << what << ' ' << i;
+      EXPECT_NEAR(axes_slope, axes_right, 3e-6 * size + 1e-9 / h) << key << " axes " << what << ' ' << i;
+    };
     for (std::size_t k = 0; k < count; ++k) {
-      double slope = 0, scale = 0;
-      for (std::size_t i = 0; i < readings.size(); ++i) {
-        const double one = 2 * (at.r[i] * at.p[i * count + k] + at.axes_r[i] * at.axes_p[i * count + k]);
-        slope += one;
-        scale += std::abs(one);
-      }
-      const double h = 1e-5 * p[k];
+      const double h = 1e-4 * p[k];
       ParameterValues up = p, down = p;
       up[k] += h;
       down[k] -= h;
-      const double right =
-          (Distances(of, up, readings.points(true)).squares() - Distances(of, down, readings.points(true)).squares()) /
-          (2 * h);
-      EXPECT_NEAR(slope, right, 1e-7 * scale) << key << k;  // differences: 1e-10 of the step's square, rounding/h
+      const Distances above(of, up, readings.points(true)), below(of, down, readings.points(true));
+      for (std::size_t i = 0; i < n; ++i)
+        compare(above, below, h, i, at.p[i * count + k], at.axes_p[i * count + k], std::to_string(k));
     }
-    // in the readings and the load
-    const auto check = [&](std::vector<double> Readings::*list, const std::vector<double>& d,
-                           const std::vector<double>& axes_d, double h) {
-      double slope = 0, scale = 0;
-      for (std::size_t i = 0; i < readings.size(); ++i) {
-        const double one = 2 * (at.r[i] * d[i] + at.axes_r[i] * axes_d[i]);
-        slope += one;
-        scale += std::abs(one);
-      }
+    const auto check = [&](std::vector<double> Readings::*list, bool logarithmic, const std::vector<double>& d,
+                           const std::vector<double>& axes_d, const std::string& what) {
+      constexpr double kStep = 1e-4;
       Readings up = readings, down = readings;
-      for (double& one : up.*list) one += h;
-      for (double& one : down.*list) one -= h;
-      const double right =
-          (Distances(of, p, up.points(true)).squares() - Distances(of, p, down.points(true)).squares()) / (2 * h);
-      EXPECT_NEAR(slope, right, 1e-6 * scale) << key;
+      for (double& one : up.*list) one += kStep * (logarithmic ? one : 1);
+      for (double& one : down.*list) one -= kStep * (logarithmic ? one : 1);
+      const Distances above(of, p, up.points(true)), below(of, p, down.points(true));
+      for (std::size_t i = 0; i < n; ++i) compare(above, below, kStep, i, d[i], axes_d[i], what);
     };
-    check(&Readings::P, at.dP, at.axes_dP, 1e-5);
-    check(&Readings::A, at.dA, at.axes_dA, 1e-5);
+    check(&Readings::P, false, at.dP, at.axes_dP, "P");
+    check(&Readings::T, false, at.dT, at.axes_dT, "T");
+    check(&Readings::A, false, at.dA, at.axes_dA, "A");
+    check(&Readings::sigma_T, true, at.s1, at.s3, "sigma_T");
+    check(&Readings::sigma_A, true, at.s2, at.s4, "sigma_A");
   }
 }
 

@@ -11,7 +11,8 @@
 namespace mixity {
 
 /// The program's own, case-sensitive names: A is an area, a is a radius. a_par and a_perp are semi-axes along and
-/// across the shear; major and minor are full axes, as image programs give them.
+/// across the shear, d_par and d_perp whole axes; major and minor are whole axes as image programs give them, and angle
+/// is that of the major one from the shear.
 enum class ColumnId {
   P,
   T,
@@ -20,8 +21,11 @@ enum class ColumnId {
   diameter,
   a_par,
   a_perp,
+  d_par,
+  d_perp,
   major,
   minor,
+  angle,
   psi,
   mode_ratio,
   Gc,
@@ -30,6 +34,8 @@ enum class ColumnId {
   G_II,
   sigma_T,
   sigma_A,
+  sigma_a_par,
+  sigma_a_perp,
   sigma_Gc,
   sigma_GI,
   sigma_GII,
@@ -38,7 +44,7 @@ enum class ColumnId {
   time,
   frame
 };
-inline constexpr std::size_t kColumnCount = 24;
+inline constexpr std::size_t kColumnCount = 29;
 
 struct ColumnKind {
   ColumnId id;
@@ -54,8 +60,11 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::diameter, "diameter", dimension::length},
     {ColumnId::a_par, "a_par", dimension::length},
     {ColumnId::a_perp, "a_perp", dimension::length},
+    {ColumnId::d_par, "d_par", dimension::length},
+    {ColumnId::d_perp, "d_perp", dimension::length},
     {ColumnId::major, "major", dimension::length},
     {ColumnId::minor, "minor", dimension::length},
+    {ColumnId::angle, "angle", dimension::angle},
     {ColumnId::psi, "psi", dimension::angle},
     {ColumnId::mode_ratio, "mode_ratio", dimension::none},
     {ColumnId::Gc, "Gc", dimension::energy_per_area},
@@ -64,6 +73,8 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::G_II, "G_II", dimension::energy_per_area},
     {ColumnId::sigma_T, "sigma_T", dimension::force},
     {ColumnId::sigma_A, "sigma_A", dimension::area},
+    {ColumnId::sigma_a_par, "sigma_a_par", dimension::length},
+    {ColumnId::sigma_a_perp, "sigma_a_perp", dimension::length},
     {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area},
     {ColumnId::sigma_GI, "sigma_GI", dimension::energy_per_area},
     {ColumnId::sigma_GII, "sigma_GII", dimension::energy_per_area},
@@ -90,10 +101,11 @@ struct ContactLengths {
   double parts;
   constexpr bool round() const { return one == other; }
 };
-inline constexpr std::array<ContactLengths, 4> kContactLengths{{
+inline constexpr std::array<ContactLengths, 5> kContactLengths{{
     {ColumnId::a, ColumnId::a, 1},
     {ColumnId::diameter, ColumnId::diameter, 4},
     {ColumnId::a_par, ColumnId::a_perp, 1},
+    {ColumnId::d_par, ColumnId::d_perp, 4},
     {ColumnId::major, ColumnId::minor, 4},
 }};
 /// The first entry for which a table has columns; null if there is none. `has`: whether the table has a column.

@@ -192,7 +192,6 @@ class Names {
     const auto drop = [&](ColumnId id) {
       if (!is_mapped(id)) std::erase_if(columns_, [&](const NamedColumn& column) { return column.id == id; });
     };
-    const auto has_unit = [&](ColumnId id) { return find(id) && find(id)->heading.unit; };
     const auto is_called_a = [](const Heading& heading) { return column_named(heading.name) == ColumnId::a; };
     for (const auto& [one, other] :
          {std::pair(A, ColumnId::a), std::pair(psi, mode_ratio), std::pair(Gc, Gc_over_GIc)}) {
@@ -201,12 +200,6 @@ class Names {
     }
     if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a)) drop(ColumnId::a);
     if (find(A) || find(ColumnId::a)) drop(diameter);
-    // axes without a unit, beside an area with one, add nothing
-    std::vector<ColumnId> axes;
-    for (const ContactLengths& lengths : kContactLengths)
-      if (!lengths.round()) axes.insert(axes.end(), {lengths.one, lengths.other});
-    if (has_unit(A) && std::any_of(axes.begin(), axes.end(), [&](ColumnId id) { return find(id) && !has_unit(id); }))
-      for (const ColumnId axis : axes) drop(axis);
   }
 
   /// Where each channel has a column of times, takes that of the first channel that is read.
@@ -269,6 +262,8 @@ class Names {
     using enum ColumnId;
     if (rules_.log) return false;
     if (id == sigma_T || id == sigma_A) return find(T);
+    if (id == angle) return find(major);
+    if (id == sigma_a_par || id == sigma_a_perp) return find(a_par) || find(d_par) || find(major);
     if (id == sigma_Gc) return find(Gc) || find(Gc_over_GIc);
     if (id == sigma_GI || id == sigma_GII) return find(G_I);
     return id == curve || id == include;

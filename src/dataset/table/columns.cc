@@ -276,11 +276,14 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
   };
   for (const ColumnId id : {T, A}) require_like_loads(id);
   for (const ContactLengths& lengths : kContactLengths)
-    for (const ColumnId id : {lengths.one, lengths.other}) require_like_loads(id);
+    if (lengths.round() || !has(A))  // beside an area, only the ratio of the axes counts
+      for (const ColumnId id : {lengths.one, lengths.other}) require_like_loads(id);
   require_like(G_II, find(G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
   require_like(sigma_T, find(T), sigma_rule);
   require_like(sigma_A, find(T), sigma_rule);
+  if (lengths())
+    for (const ColumnId id : {sigma_a_par, sigma_a_perp}) require_like(id, find(lengths()->one), sigma_rule);
   require_like(sigma_Gc, find(has(Gc) ? Gc : Gc_over_GIc), sigma_rule);
   require_like(sigma_GI, find(G_I), sigma_rule);
   require_like(sigma_GII, find(G_II), sigma_rule);
