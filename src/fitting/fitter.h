@@ -44,6 +44,7 @@ class Fitter {
   bool leads_to_the_same_errors(const std::vector<double>& x);
   void restore_errors();
   double size_axes(const NearestPlaces& nearest);
+  double log_size_of_areas() const;
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
   std::optional<NearestPlaces> nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage) const;

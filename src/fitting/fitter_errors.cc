@@ -159,7 +159,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     double change = take_expected_off(*expected, freedom, *nearest);
     const double of_expected = change;
     expected.reset();
-    change = std::max(change, size_axes(*nearest));
+    const double of_axes = size_axes(*nearest);
+    change = std::max(change, std::abs(of_axes));
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     // A model that does not describe the data says nothing about their errors. With few runs, correlated noise cannot
@@ -205,7 +206,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     errors.correlations = models.correlations;
     const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
     errors.freedom = known ? 0 : freedom * independence(models.correlations);
+    const double before = of_axes != 0 ? log_size_of_areas() : 0;
     change = std::max(change, evaluate_errors(data_, prepared_.used, std::move(*nearest), errors));
+    if (of_axes != 0) errors.axes_factor *= std::exp(before - log_size_of_areas());
     nearest.reset();
     drop({&leverage});
     if (many && !errors.correlations.any()) drop({&errors.load_T});
@@ -235,7 +238,14 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   return true;
 }
 
-/// Sets the factor on the relative errors of A that those of the axes have. Returns its relative change.
+/// The mean logarithm of the areas' standard errors.
+double Fitter::log_size_of_areas() const {
+  double sum = 0;
+  for (const std::size_t i : prepared_.used) sum += std::log(prepared_.errors->A[i]);
+  return sum / static_cast<double>(prepared_.used.size());
+}
+
+/// Sets the factor on the relative errors of A that those of the axes have. Returns the change of its logarithm.
 double Fitter::size_axes(const NearestPlaces& nearest) {
   if (nearest.axes.empty() || data_.axes[prepared_.used[0]].sigma_q > 0) return 0;
   double squares = 0;
@@ -245,7 +255,7 @@ double Fitter::size_axes(const NearestPlaces& nearest) {
                change = std::sqrt(squares / freedom);
   if (!(change > 0)) return 0;
   prepared_.errors->axes_factor *= change;
-  return std::abs(std::log(change));
+  return std::log(change);
 }
 
 /// Subtracts the expected distances from the residuals. They are scaled to the noise that is found, at most to twice
