@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "analysis/contact_shape.h"
 #include "analysis/laws.h"
 #include "analysis/settings.h"
 #include "base/number_text.h"
@@ -32,6 +33,7 @@ class Reader {
     if (request.data_path.empty()) throw InputError(path_, "the key data is missing");
     if (table.contains("data") && table.contains("runs"))
       fail(*table.get("runs"), "data and runs both say which files: state one");
+    take_shape(request);
     if (const auto wrong = contradiction(request))
       fail(*table.get(wrong->option), wrong->option + " " + wrong->problem);
     check_published(table, request);
@@ -186,7 +188,9 @@ class Reader {
     for (const auto& [key, value] : *node.as_table()) {
       const std::string name(key.str());
       std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
-      if (const std::string problem = set_field(scratch, name, given); !problem.empty()) fail(value, problem);
+      const bool of_contacts = name == "shape" && means_ellipse(given);
+      if (const std::string problem = of_contacts ? "" : set_field(scratch, name, given); !problem.empty())
+        fail(value, problem);
       if (is_path(name)) given = beside(value, name);
       request.constants.emplace_back(name, given);
     }

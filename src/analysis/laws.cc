@@ -170,6 +170,8 @@ std::vector<DefinedLaw> define_laws(const std::string& path, const toml::table& 
 bool is_model(std::string_view key) { return ContactModel::find(key).has_value(); }
 
 void provide_law(std::string_view key) {
+  for (const std::string_view ending : {kEqualEllipse, kEllipse})
+    if (key.ends_with(ending)) key.remove_suffix(ending.size());
   if (is_model(key)) return;  // the file is read only when needed
   for (const StatedLaw& law : shipped_laws())
     if (law.definition.key == key) define(law.definition);

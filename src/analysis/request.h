@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct FitRequest {
   std::vector<std::string> models{"a", "b", "c"};  // in the order of the report
   FitOptions options;
   std::vector<std::string> free_parameters;  // model parameters stated as free; any that is not held is free, too
+  std::optional<HeldParameter> tied{};       // of elliptic contacts: a parameter of one mode at a value
+  bool equal_couplings = false;              // of elliptic contacts: one set of parameters for modes II and III
   std::vector<Constant> drift;               // modulus, toughness: constants whose drifts are also free
   Exclusion exclusion;
   Overrides constants;     // override those beside the data; each name once

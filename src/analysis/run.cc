@@ -71,6 +71,7 @@ FitOptions options_of(const FitRequest& request) {
   };
   for (const Constant c : request.drift) add(c == kModulus ? kModulusDrift : kToughnessDrift);
   if (request.exclusion.unsheared == Unsheared::own) add(kHysteresis);
+  if (request.tied) options.hold.push_back(*request.tied);
   return options;
 }
 

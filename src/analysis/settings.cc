@@ -4,6 +4,7 @@
 
 #include "analysis/laws.h"
 #include "analysis/setting_forms.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity {
 namespace {
@@ -64,6 +65,20 @@ struct Held {
   }
   static std::string write(const HeldParameter& held) {
     return held.name + (held.value ? "=" + shortest(*held.value) : "");
+  }
+};
+
+/// What the couplings of elliptic contacts have in common.
+struct Tie {
+  static Complaint read(std::string_view text, FitRequest& request) {
+    if (text == "equal") return request.equal_couplings = true, Complaint();
+    const auto held = parse_held(std::string(text));
+    if (!held || !held->value) return must_be(text, "equal, or PARAMETER=NUMBER, such as lambda_III=0");
+    request.tied = *held;
+    return {};
+  }
+  static std::string write(const FitRequest& request) {
+    return request.equal_couplings ? "equal" : request.tied ? Held::write(*request.tied) : "";
   }
 };
 
@@ -173,7 +188,7 @@ const std::vector<Setting>& settings() {
                           kMostSeed = std::numeric_limits<std::int64_t>::max();
   static const std::vector<Setting> all{
       setting("models", &FitRequest::models, ListOf<Model>{},
-              "models to fit, comma-separated (mixity help lists them)"),
+              "models to fit, comma-separated (mixity help lists them); KEY-ellipse has elliptic contacts"),
       setting("objective", &FitOptions::objective, Objectives{},
               "what is fitted: curve (distance from the curve in T and A; the default where there are loads) or "
               "toughness (Gc/GIc against psi, as the paper does)"),
@@ -196,6 +211,8 @@ const std::vector<Setting>& settings() {
               "residual beyond which points are down-weighted, in standard errors (default 1.345 huber, 2.385 cauchy)"),
       setting("hold", &FitOptions::hold, ListOf<Held>{},
               "parameters to hold fixed, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
+      setting("tie", WholeRequest{}, Tie{},
+              "elliptic contacts: equal (one coupling for modes II and III), or one of them at a value: lambda_III=0"),
       setting("free", WholeRequest{}, Free{},
               "constants to fit as well, common to all loads: toughness, modulus, radius, area_scale, force_gain, "
               "load_offset, shear_offset, area_offset, modulus_drift, toughness_drift, shape, hysteresis"),
@@ -264,6 +281,14 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
         request.free_parameters.end())
       return Contradiction{"free", "names " + in_quotes(held.name) + ", which is to be held"};
   }
+  if (request.stated.contains("tie") &&
+      std::none_of(request.models.begin(), request.models.end(), [](const std::string& key) {
+        const auto model = ContactModel::find(key);
+        return model && model->is_elliptic();
+      }))
+    return Contradiction{"tie", "needs elliptic contacts (shape=ellipse)"};
+  if (request.tied && !has_parameter(request.models, request.tied->name))
+    return Contradiction{"tie", "names " + in_quotes(request.tied->name) + ", which no fitted model has"};
   for (const std::string& name : request.free_parameters)
     if (!has_parameter(request.models, name))
       return Contradiction{"free", "names " + in_quotes(name) + ", which no fitted model has"};

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "analysis/contact_shape.h"
 #include "analysis/fit_definition.h"
 #include "analysis/result.h"
 #include "analysis/settings.h"
@@ -55,8 +56,9 @@ FitRequest request_for(const std::string& path) {
   }
   if (!request.stated.contains("models"))
     request.models.insert(request.models.end(), laws_of_flags().begin(), laws_of_flags().end());
-  if (const auto wrong = contradiction(request)) refuse(wrong->option, wrong->problem);
   replace(request.constants, data_overrides());
+  take_shape(request);
+  if (const auto wrong = contradiction(request)) refuse(wrong->option, wrong->problem);
   const std::vector<InputFile>& laws = inputs_of_laws().files();
   request.inputs.insert(request.inputs.end(), laws.begin(), laws.end());
   return request;

@@ -4,6 +4,7 @@
 #include <deque>
 #include <iostream>
 
+#include "analysis/contact_shape.h"
 #include "analysis/laws.h"
 #include "analysis/setting_forms.h"
 #include "analysis/settings.h"
@@ -76,9 +77,9 @@ void add_set(bool of_experiment, Overrides& overrides, std::span<const std::stri
     if (field.of_experiment != of_experiment || !is_set(field.name)) continue;
     if (std::find(except.begin(), except.end(), field.name) != except.end()) continue;
     const std::string value = value_of(field.name);
-    if (field.name == "shape" && value == "ellipse")
-      throw refused("shape", "only predict --model knows ellipses; for data it is a number, such as \"0 +/- 0.01\"");
-    const std::string problem = set_field(scratch, field.name, value);
+    // fits take it as the shape of contacts (contact_shape.h)
+    const bool of_contacts = field.name == "shape" && means_ellipse(value);
+    const std::string problem = of_contacts ? "" : set_field(scratch, field.name, value);
     if (!problem.empty()) throw refused(field.name, problem);
     overrides.emplace_back(field.name, value);
   }

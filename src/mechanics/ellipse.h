@@ -21,6 +21,10 @@
 
 namespace mixity {
 
+/// What follows a law's key in that of its model of elliptic contacts: with parameters of its own for each mode, and with
+/// the same for both.
+inline constexpr std::string_view kEllipse = "-ellipse", kEqualEllipse = "-ellipse-equal";
+
 /// The last parameter of each model of elliptic contacts.
 inline constexpr std::string_view kPoissonRatio = "poisson_ratio";
 

@@ -12,14 +12,12 @@
 namespace mixity {
 namespace {
 
-constexpr std::string_view kEnding = "-ellipse", kEqual = "-equal";
-
 std::shared_ptr<const AnyLaw> made(const ContactModel& circle, std::shared_ptr<const AnyLaw> law, bool equal) {
   auto model = std::make_shared<EllipticModel>();
   const ModelInfo& info = circle.info();
   model->circle = law;
   model->equal = equal;
-  model->key = std::string(info.key) + std::string(kEnding) + (equal ? std::string(kEqual) : "");
+  model->key = std::string(info.key) + std::string(equal ? kEqualEllipse : kEllipse);
   model->name = std::string(info.name) + ", elliptic contact";
   model->formula = std::string(info.formula) + " at the ends of both axes";
   const std::vector<std::string> endings =
@@ -55,10 +53,10 @@ ParameterValues parameters_of_point(std::span<const Values> values, std::size_t 
 }  // namespace
 
 std::shared_ptr<const AnyLaw> elliptic_law(std::string_view key) {
-  const bool equal = key.ends_with(kEqual);
-  if (equal) key.remove_suffix(kEqual.size());
-  if (!key.ends_with(kEnding)) return nullptr;
-  const auto circle = ContactModel::find(key.substr(0, key.size() - kEnding.size()));
+  const bool equal = key.ends_with(kEqualEllipse);
+  const std::string_view ending = equal ? kEqualEllipse : kEllipse;
+  if (!key.ends_with(ending)) return nullptr;
+  const auto circle = ContactModel::find(key.substr(0, key.size() - ending.size()));
   return circle ? circle->of_ellipses(equal) : nullptr;
 }
 

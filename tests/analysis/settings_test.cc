@@ -20,7 +20,8 @@ const std::map<std::string_view, std::string_view> kTexts{
     {"interval", "none"},       {"confidence", "0.9"},          {"checks", "false"},  {"lambda_prior", "log_uniform"},
     {"bootstrap", "20"},        {"resample", "curves"},         {"seed", "7"},        {"threads", "2"},
     {"influence", "true"},      {"compare", "false"},           {"per", "curve"},     {"formats", "pdf,png"},
-    {"fitted_errors", "false"}, {"by_run", "toughness,lambda"}, {"drift", "modulus"}, {"unsheared", "own"}};
+    {"fitted_errors", "false"}, {"by_run", "toughness,lambda"}, {"drift", "modulus"}, {"unsheared", "own"},
+    {"tie", "lambda_III=0"}};
 
 FitRequest with_all() {
   FitRequest request;
