@@ -106,6 +106,7 @@ Message remedy_of(Constant constant) {
 Cause with_free(const Case& of, Constant constant, const Points& points) {
   FitOptions options = of.options;
   options.free.push_back(constant);
+  options.explanation_only = true;
   return {Cause::Kind::constant,
           std::string(kConstantNames[constant]),
           {},
@@ -119,6 +120,7 @@ Cause with_free(const Case& of, Constant constant, const Points& points) {
 Cause by_run(const Case& of, const std::string& quantity, const Points& points) {
   FitOptions options = of.options;
   options.by_run.push_back(quantity);
+  options.explanation_only = true;
   return {Cause::Kind::runs,
           quantity,
           {},
