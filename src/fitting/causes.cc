@@ -10,6 +10,7 @@
 #include "fitting/plausible_size.h"
 #include "fitting/predicted_area.h"
 #include "fitting/stated_constants.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -61,6 +62,19 @@ std::string size_text(const Dataset& data, const std::string& quantity, double d
   return rounded(std::abs(deviation) * unit.scale, 2) + (unit.text.empty() ? "" : " " + unit.text);
 }
 
+/// "27.1 mJ/m^2 (+0.4 %)"
+std::string value_text(const Case& of, Constant constant, const FittedParameter& found) {
+  if (is_change(constant)) return percent(*found.value);
+  const ReadableUnit shown = readable_unit(*found.value, found.unit);
+  std::string text = rounded(*found.value * shown.factor, 4) + (found.unit.empty() ? "" : " " + shown.unit);
+  if (is_factor(constant)) {
+    const double share =
+        *found.value / unit_of(of.data, constant).scale / std::exp(constants_of(of.data, of.options)[constant]);
+    text += " (" + std::string(share > 1 ? "+" : "") + percent(share - 1) + ")";
+  }
+  return text;
+}
+
 Message of_constant(const Case& of, Constant constant, const FitResult& fit) {
   const FittedParameter& found = *find_parameter(fit.parameters, kConstantNames[constant]);
   const double value = *found.value;
@@ -76,17 +90,10 @@ Message of_constant(const Case& of, Constant constant, const FitResult& fit) {
                   value > 0 ? " too large at the largest T" : " too small at the largest T");
   if (constant == kHysteresis)
     return change("the toughness without shear is larger by ", "the toughness without shear is smaller by ", "");
-  const ReadableUnit shown = readable_unit(value, found.unit);
   std::string text = found.name;
   if (constant == kModulus) text += " (or area_scale, which acts like it)";
   if (constant == kAreaScale) text += " (or modulus, which acts like it)";
-  text += " looks wrong: at " + rounded(value * shown.factor, 4) + (found.unit.empty() ? "" : " " + shown.unit);
-  if (is_factor(constant)) {
-    const double share =
-        value / unit_of(of.data, constant).scale / std::exp(constants_of(of.data, of.options)[constant]);
-    text += " (" + std::string(share > 1 ? "+" : "") + percent(share - 1) + ")";
-  }
-  return text;
+  return text + " looks wrong: at " + value_text(of, constant, found);
 }
 
 Message remedy_of(Constant constant) {
@@ -99,6 +106,7 @@ Message remedy_of(Constant constant) {
 Cause with_free(const Case& of, Constant constant, const Points& points) {
   FitOptions options = of.options;
   options.free.push_back(constant);
+  options.explanation_only = true;
   return {Cause::Kind::constant,
           std::string(kConstantNames[constant]),
           {},
@@ -112,6 +120,7 @@ Cause with_free(const Case& of, Constant constant, const Points& points) {
 Cause by_run(const Case& of, const std::string& quantity, const Points& points) {
   FitOptions options = of.options;
   options.by_run.push_back(quantity);
+  options.explanation_only = true;
   return {Cause::Kind::runs,
           quantity,
           {},
@@ -146,7 +155,9 @@ std::optional<std::size_t> odd_run(const RunDifferences& runs, std::size_t quant
 
 void describe(const Case& of, Cause& cause) {
   if (cause.kind == Cause::Kind::constant) {
-    cause.size = of_constant(of, constant_named(cause.name).value(), cause.fit);
+    const Constant constant = constant_named(cause.name).value();
+    cause.size = of_constant(of, constant, cause.fit);
+    cause.value = value_text(of, constant, *find_parameter(cause.fit.parameters, cause.name));
     return;
   }
   const RunDifferences& runs = cause.fit.errors->runs;
@@ -252,6 +263,41 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   std::stable_sort(list.begin(), list.end(), [&](const Cause& x, const Cause& y) {
     return x.misfit + implausibility(of, x) < y.misfit + implausibility(of, y);
   });
+  for (Cause& one : list) describe(of, one);
+  return list;
+}
+
+std::vector<Cause> beside_the_fit(const Case& of) {
+  std::vector<Cause> list;
+  const FitResult& fit = of.fit;
+  const ExactConstant* const nearly = nearly_wrong_constant(fit);
+  if (!nearly || fit.loss_scale > 0 || !is_found(fit)) return list;
+  const FittedParameter* const first = find_parameter(fit.parameters, fit.budget->parameter);
+  if (!first || !first->value || !first->stderr_ || !first->interval) return list;
+  constexpr double kMatters = 0.5;  // standard errors beyond an end, an eighth of an interval of 95 %
+  const double quantile = std::sqrt(chi_squared_quantile(first->interval->confidence, 1));
+  for (const double side : {-1.0, 1.0}) {
+    const auto& end = side < 0 ? first->interval->low : first->interval->high;
+    if (!end) continue;
+    // Only what lies outermost, according to the linearised fit, is fitted.
+    std::vector<std::pair<double, Constant>> beyond;
+    for (const ExactConstant& one : fit.budget->exact) {
+      if (!one.score || one.score->fall < nearly->score->fall - kAboutAsWell) continue;
+      const double reach = side * one.score->change + quantile * one.score->widening;
+      if (reach > side * (*end - *first->value) / *first->stderr_ + kMatters)
+        beyond.emplace_back(-reach, constant_named(one.constant).value());
+    }
+    std::stable_sort(beyond.begin(), beyond.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    for (const auto& [reach, constant] : beyond) {
+      if (!list.empty() && list.front().name == kConstantNames[constant]) break;
+      Cause one = with_free(of, constant, fit.used);
+      if (!is_found(one.fit) || !explains(of.data, one.fit)) continue;
+      one.misfit = misfit(one.fit);
+      if (one.misfit + implausibility(of, one) > misfit(fit)) continue;
+      list.push_back(std::move(one));
+      break;
+    }
+  }
   for (Cause& one : list) describe(of, one);
   return list;
 }

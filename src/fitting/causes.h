@@ -19,7 +19,8 @@ struct Cause {
   Message remedy;    // the option that fits it
   Points points;     // the points fitted: all, or without the run
   FitResult fit;
-  double misfit;  // -2 ln L, comparable between causes
+  double misfit;        // -2 ln L, comparable between causes
+  std::string value{};  // of a constant, with its unit
 };
 
 /// -2 ln L of a fit, up to a constant that depends on the points alone.
@@ -34,6 +35,10 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range);
 /// correlate, returns the fit with free shape if it does about as well without correlation and changes the first
 /// parameter by an amount that matters.
 std::optional<Cause> shape_instead_of_memory(const Case& of);
+
+/// Where the score test of a constant nearly fails: of the fits with one constant free that do about as well, the value
+/// being plausible, those that reach farthest beyond the interval at either end.
+std::vector<Cause> beside_the_fit(const Case& of);
 
 /// Whether a test shows that the runs differ, by more than chance and by an amount that matters.
 bool runs_differ(const FitResult& fit, double chance);

@@ -32,6 +32,15 @@ Message explained_text(const Cause& cause, const FitResult& fit) {
   return cause.size + ", " + before_and_after(fit, cause.fit) + " and " + lambda_text(cause.fit) + "; " + cause.remedy;
 }
 
+std::vector<Explanation> explanations_of(const std::vector<Cause>& list) {
+  std::vector<Explanation> explanations;
+  const auto least =
+      std::min_element(list.begin(), list.end(), [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
+  for (const Cause& one : list)
+    explanations.push_back({one.name, one.run, one.size, one.remedy, first_free(one.fit), one.misfit - least->misfit});
+  return explanations;
+}
+
 /// The experiment that would decide between the causes.
 std::string deciding_experiment(const std::vector<Cause>& list) {
   std::vector<std::string> constants;
@@ -122,11 +131,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   if (!found.empty()) {
     Diagnosis diagnosis{all_text(found, whole), {}, {}};
     if (all_points) diagnosis.explained = comparable_squares(found.front().fit);
-    const auto least = std::min_element(found.begin(), found.end(),
-                                        [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
-    for (const Cause& one : found)
-      diagnosis.explanations.push_back(
-          {one.name, one.run, one.size, one.remedy, first_free(one.fit), one.misfit - least->misfit});
+    diagnosis.explanations = explanations_of(found);
     return diagnosis;
   }
   const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
@@ -155,6 +160,19 @@ Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOpt
               "): both explain the points about as well; a separate measurement of the shape would decide",
           comparable_squares(cause->fit),
           {std::move(shape), std::move(memory)}};
+}
+
+Diagnosis included(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
+  const std::vector<Cause> list = beside_the_fit({data, fit, options, refit});
+  if (list.empty()) return {};
+  const ExactConstant& nearly = *nearly_wrong_constant(fit);
+  const bool other = list.front().name != nearly.constant || list.size() > 1;
+  Message text = nearly.constant + (other ? " or another constant" : "") +
+                 " may be wrong (p = " + rounded(nearly.score->p_value, 2) + "): the interval includes ";
+  for (const Cause& one : list)
+    text += Message(&one == &list.front() ? "" : " and ") + "the fit with " + one.name + " = " + one.value + " (" +
+            lambda_text(one.fit) + "; " + one.remedy + ")";
+  return {std::move(text), {}, explanations_of(list)};
 }
 
 }  // namespace mixity

@@ -112,7 +112,6 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
 }
 
 bool explains(const Dataset& data, const FitResult& fit) {
-  constexpr double kHardly = 1e-5;
   if (fit.residuals.empty()) return false;
   const Consistency consistency = test_consistency(data, fit);
   const ResidualTests& tests = consistency.residuals;

@@ -46,6 +46,7 @@ std::optional<Cut> before_sliding(const Case& of, const Points& points, std::siz
 /// The fit without the points above nine tenths of each run's largest shear.
 FitResult without_ends(const Case& of, const FitResult& whole, const Points& points);
 
+inline constexpr double kHardly = 1e-5;  // a test with a lower p-value fails clearly
 /// Whether no test of the fit fails clearly; an explanation need not be perfect.
 bool explains(const Dataset& data, const FitResult& fit);
 

@@ -29,12 +29,32 @@ double independent_points(const FitResult& fit) {
   return static_cast<double>(fit.used.size()) * (1 - r) / (1 + r);
 }
 
+namespace {
+
+/// Of the score tests of which this is true, the constant of the most significant one; null if there is none.
+template <class Asks>
+const ExactConstant* most_significant(const FitResult& fit, const Asks& asks) {
+  const ExactConstant* most = nullptr;
+  if (fit.budget)
+    for (const ExactConstant& one : fit.budget->exact)
+      if (one.score && asks(*one.score) && (!most || one.score->p_value < most->score->p_value)) most = &one;
+  return most;
+}
+
+}  // namespace
+
+const ExactConstant* nearly_wrong_constant(const FitResult& fit) {
+  constexpr double kNearly = 0.1;
+  return most_significant(fit, [&](const ExactConstant::Score& score) {
+    return score.p_value * fit.budget->independent < kNearly && moves_or_widens(score.change, 1);
+  });
+}
+
 const ExactConstant* wrong_constant(const FitResult& fit) {
-  if (!fit.budget) return nullptr;
-  const ExactConstant* worst = nullptr;
-  for (const ExactConstant& one : fit.budget->exact)
-    if (one.score && one.score->matters() && (!worst || one.score->p_value < worst->score->p_value)) worst = &one;
-  if (!worst || !asks_to_be_free(*worst->score, fit.budget->independent)) return nullptr;
+  const ExactConstant* const worst = most_significant(fit, [&](const ExactConstant::Score& score) {
+    return score.matters() && asks_to_be_free(score, fit.budget->independent);
+  });
+  if (!worst) return nullptr;
   // If the stated errors are too small whatever the constant, smaller falls of chi^2 do not count.
   const bool too_small = fit.known_errors && fit.consistency && fit.consistency->chi2_p.value_or(1) < kChance;
   if (too_small &&

@@ -18,9 +18,11 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
   return Fitter(data, *found, options, purpose, points, near).run();
 }
 
-/// Where several explanations do about as well, the interval includes the value of each.
+/// Where several explanations do about as well, the interval includes the value of each. That of a fit that is not
+/// suspect remains part of it.
 void show_union(FitResult& fit) {
-  if (fit.explanations.size() < 2) return;
+  const bool believed = fit.status == FitStatus::ok;
+  if (fit.explanations.size() < (believed ? 1 : 2)) return;
   const auto first = std::find_if(fit.parameters.begin(), fit.parameters.end(), [&](const FittedParameter& one) {
     return one.name == fit.explanations[0].first.name;
   });
@@ -33,13 +35,16 @@ void show_union(FitResult& fit) {
     low = std::min(low, *one.first.value - half);
     high = std::max(high, *one.first.value + half);
   }
-  if (low < high)
-    first->interval = {"explanations",
-                       first->interval->confidence,
-                       std::max(low, first->lower),
-                       std::min(high, first->upper),
-                       EndStatus::found,
-                       EndStatus::found};
+  if (!(low < high)) return;
+  low = std::max(low, first->lower);
+  high = std::min(high, first->upper);
+  if (!believed) {
+    first->interval = {"explanations", first->interval->confidence, low, high, EndStatus::found, EndStatus::found};
+    return;
+  }
+  first->interval->method = "explanations";
+  if (first->interval->low_status == EndStatus::found) first->interval->low = std::min(low, *first->interval->low);
+  if (first->interval->high_status == EndStatus::found) first->interval->high = std::max(high, *first->interval->high);
 }
 
 }  // namespace
@@ -58,7 +63,10 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
   Diagnosis found = diagnose(data, result, value_only(options), refit, to_beat);
   if (found.reason.empty() && result.status == FitStatus::ok && options.checks) {
     found = second_thought(data, result, value_only(options), refit);
-    if (!found.reason.empty()) result.status = FitStatus::suspect;
+    if (!found.reason.empty())
+      result.status = FitStatus::suspect;
+    else
+      found = included(data, result, value_only(options), refit);
   }
   const auto& [reason, explained, explanations] = found;
   if (reason.empty()) return;

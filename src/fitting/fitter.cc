@@ -149,34 +149,6 @@ bool Fitter::has_too_few_points() {
   return true;
 }
 
-/// Whether the data alone, near the start, are described worse than that, however far the next Gauss-Newton steps may
-/// go. A fit with priors cannot be better.
-bool Fitter::is_beyond(double most_misfit) const {
-  constexpr int kSteps = 20;
-  constexpr double kAtMost = 3, kLater = 1.5;  // times the predicted fall, at first and after a step
-  std::vector<double> x = starting_.near;
-  if (x.empty() || !prepared_.errors) return false;
-  const double variances = log_variances(data_, prepared_.used, *prepared_.errors);
-  const auto cost = problem_->cost();
-  CostValue at;
-  double before = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kSteps; ++i) {
-    cost->at(x, {}, at);
-    if (!at.finite || at.value > before) return false;
-    const auto exceeds = [&](double squares) {
-      return misfit(squares, variances, problem_->residual_count(), problem_->known_errors()) > most_misfit;
-    };
-    const Eigen::VectorXd step = solve_symmetric(at.hessian, -at.gradient);
-    const double fall = -at.gradient.dot(step);
-    if (!exceeds(at.value) || !(fall >= 0)) return false;
-    if (exceeds(std::max(at.value - (i == 0 ? kAtMost : kLater) * fall, 1e-9 * at.value))) return true;
-    before = at.value;
-    for (std::size_t k = 0; k < x.size(); ++k)
-      x[k] = problem_->parameters()[k].clamped(x[k] + step[static_cast<Eigen::Index>(k)]);
-  }
-  return false;
-}
-
 void Fitter::report_progress(double fraction) const {
   if (options_.progress) options_.progress(fraction);
 }

@@ -35,6 +35,8 @@ class Fitter {
   std::size_t unknown() const;
   bool has_too_few_points();
   bool is_beyond(double most_misfit) const;
+  bool scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
+                        const ErrorModels& models) const;
   void report_progress(double fraction) const;
   void describe();
   void fit_as_the_paper();
@@ -88,6 +90,7 @@ class Fitter {
   std::optional<ProblemWithPriors> cost_;
   std::vector<double> first_minimum_;     // of the first of the rounds that find the errors
   std::optional<CourseTest> off_course_;  // the course because of which the fitted errors were discarded
+  bool given_up_ = false;                 // no explanation, whatever the remaining rounds find
   double unit_ = 1;                       // divisor of the data's residuals in cost_
   FitResult result_;
 };

@@ -55,6 +55,11 @@ Verdict Fitter::minimum_with_its_errors() {
       x = minimum_of(*problem_).best.x;
       described = settle_errors(x);
     }
+    if (given_up_) {
+      Verdict verdict(x.size());
+      verdict.message = "given up: the scatter is far larger than the stated errors";
+      return verdict;
+    }
     // The deviations of the runs are linearised here and are invalid elsewhere.
     const std::vector<double> near = starting_.near;
     if (described && !options_.by_run.empty()) starting_.near = x;
@@ -179,6 +184,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
         errors.expected.clear();  // nothing else has changed
       else
         restore_errors();
+      return false;
+    }
+    if (round == more && scatters_too_far(*nearest, leverage, models)) {
+      given_up_ = true;
       return false;
     }
     if (round < more) {  // with the errors from neighbours, until the runs are found

@@ -55,6 +55,8 @@ struct FitOptions {
   std::shared_ptr<const StandardErrors> errors{};
   /// A refit is given up where the least squares without priors have a misfit (causes.h) above this. Null: never.
   std::optional<double> most_misfit{};
+  /// A refit that is of interest only if it passes the tests is given up where it will not.
+  bool explanation_only = false;
   Loss loss = Loss::none;
   std::optional<double> loss_scale{};  // in standard errors; null: the default of the loss
   bool intervals = true;

@@ -19,7 +19,8 @@ namespace mixity {
 /// An interval in the user's unit. A null end is open.
 struct ShownInterval {
   std::string method;  // profile; jackknife: over the runs, Student's with one degree of freedom less than runs;
-                       // explanations: the union over the causes that explain failed tests about as well
+                       // explanations: the union over the causes that explain failed tests about as well; of a fit that
+                       // is ok, with its own interval
   double confidence;
   std::optional<double> low, high;
   EndStatus low_status, high_status;
@@ -238,7 +239,8 @@ struct FitResult {
   std::optional<ShownEvidence> evidence;   // null where intervals were not requested, or if not found
   std::optional<Consistency> consistency;  // only in reported fits
   std::vector<RunTest> run_tests;          // for curves with loads in two or more runs
-  std::vector<Explanation> explanations;   // of a suspect fit: the best, and those that do about as well
+  /// Of a suspect fit: the best, and those that do about as well; of one that is ok: those that its interval includes.
+  std::vector<Explanation> explanations;
   /// The cost with the constant free that explains the failed tests, if there is one.
   std::optional<double> explained{};
   std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better

@@ -37,7 +37,7 @@ void describe(Fields<ShownInterval>& field) {
   field(
       "method",
       "profile likelihood; a jackknife of the runs with Student's distribution, where that is wider by more than half; "
-      "or the union of the intervals of explanations that do about as well",
+      "or the union of the intervals of explanations that do about as well, with that of the fit itself if it is ok",
       R"({"enum": ["profile", "jackknife", "explanations"]})", &ShownInterval::method);
   field("confidence", "of the interval", R"({"exclusiveMinimum": 0, "exclusiveMaximum": 1})",
         &ShownInterval::confidence);
@@ -243,8 +243,11 @@ void describe(Fields<FitResult>& field) {
   field("evidence", "evidence of the model and posterior of its first free parameter", &FitResult::evidence);
   field("budget", "what the variance of the first free parameter is made of", &FitResult::budget);
   field("consistency", "whether the residuals are what the fit assumes", &FitResult::consistency);
-  field("explanations", "causes that explain why tests fail about as well as the best; empty without one",
-        &FitResult::explanations);
+  field(
+      "explanations",
+      "causes that explain why tests fail about as well as the best; of an ok fit those that its interval includes, as "
+      "a score test nearly fails; empty without one",
+      &FitResult::explanations);
   field("run_tests", "whether quantities differ between the runs; empty without loads or of a single run",
         &FitResult::run_tests);
   field("outdone_by", "of a suspect fit, the model that describes the data far better; else null",

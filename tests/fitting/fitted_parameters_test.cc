@@ -50,7 +50,7 @@ TEST(Profile, OfATwoParameterLawMinimisesOverTheOther) {
   const ParameterValues p{1.774, 2.284};
   const Dataset data = synthetic_runs("bk", p, {0.5, 5, 20}, 20, 0.9, noise);
   for (const Objective objective : {Objective::toughness, Objective::curve}) {
-    const FitOptions options{.objective = objective, .fitted_errors = false};
+    const FitOptions options{.objective = objective, .fitted_errors = false, .checks = false};
     const FitResult fit = fit_model(data, "bk", options);
     ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
     const auto problem = make_problem(data, options, prepare(data, model_named("bk"), options, objective, nullptr));
@@ -127,7 +127,8 @@ TEST(DrawnProfile, IsTheCostOfFitsWithTheParameterHeld) {
   };
   for (const Case& one : {Case{Objective::toughness, {}}, Case{Objective::toughness, {kToughness}},
                           Case{Objective::curve, {}}, Case{Objective::curve, {kToughness}}}) {
-    const FitOptions options{.objective = one.objective, .free = one.free, .fitted_errors = false, .profile_points = 8};
+    const FitOptions options{
+        .objective = one.objective, .free = one.free, .fitted_errors = false, .checks = false, .profile_points = 8};
     const FitResult fit = fit_model(data, "c", options);
     const FittedParameter& lambda = fit.parameters[0];
     ASSERT_TRUE(lambda.profile);

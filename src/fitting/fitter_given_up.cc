@@ -1,0 +1,65 @@
+// Refits that seek an explanation are given up once they cannot be one.
+#include <cmath>
+#include <limits>
+
+#include "fitting/causes.h"
+#include "fitting/explanations.h"
+#include "fitting/fitted_errors.h"
+#include "fitting/fitter.h"
+#include "solver/linear_algebra.h"
+#include "statistics/distributions.h"
+
+namespace mixity {
+
+/// Whether the data alone, near the start, are described worse than that, however far the next Gauss-Newton steps may
+/// go. A fit with priors cannot be better.
+bool Fitter::is_beyond(double most_misfit) const {
+  constexpr int kSteps = 20;
+  constexpr double kAtMost = 3, kLater = 1.5;  // times the predicted fall, at first and after a step
+  std::vector<double> x = starting_.near;
+  if (x.empty() || !prepared_.errors) return false;
+  const double variances = log_variances(data_, prepared_.used, *prepared_.errors);
+  const auto cost = problem_->cost();
+  CostValue at;
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kSteps; ++i) {
+    cost->at(x, {}, at);
+    if (!at.finite || at.value > before) return false;
+    const auto exceeds = [&](double squares) {
+      return misfit(squares, variances, prepared_.used.size(), problem_->known_errors()) > most_misfit;
+    };
+    const Eigen::VectorXd step = solve_symmetric(at.hessian, -at.gradient);
+    const double fall = -at.gradient.dot(step);
+    if (!exceeds(at.value) || !(fall >= 0)) return false;
+    if (exceeds(std::max(at.value - (i == 0 ? kAtMost : kLater) * fall, 1e-9 * at.value))) return true;
+    before = at.value;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = problem_->parameters()[k].clamped(x[k] + step[static_cast<Eigen::Index>(k)]);
+  }
+  return false;
+}
+
+/// Whether the squares of residuals with known errors are so large, with the neighbours' correlations that explain them
+/// best, that no later round makes the fit an explanation.
+bool Fitter::scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
+                              const ErrorModels& models) const {
+  constexpr double kAtMost = 2;  // later rounds change chi^2, mostly by less than a tenth, but not by this factor
+  if (!options_.explanation_only || !problem_->known_errors() || options_.loss != Loss::none) return false;
+  double freedom = 0;
+  for (const double one : leverage) freedom += 1 - one;
+  const auto fails = [&](const std::vector<double>& residuals) {
+    double squares = 0;
+    for (const double r : residuals) squares += r * r;
+    return freedom > 0 && chi_squared_p_value(squares / kAtMost, freedom) < kHardly;
+  };
+  if (!fails(nearest.residuals)) return false;
+  const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
+  if (!by_neighbours) return false;
+  std::vector<double> residuals = nearest.residuals;
+  if (by_neighbours->correlations.any())
+    Decorrelation(processes_of(data_, prepared_.used, nearest.load_T, nearest.load_A), {by_neighbours->correlations})
+        .apply(residuals);
+  return fails(residuals);
+}
+
+}  // namespace mixity
