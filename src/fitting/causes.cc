@@ -262,7 +262,7 @@ std::optional<Cause> shape_instead_of_memory(const Case& of) {
   const bool exact = std::any_of(of.fit.budget->exact.begin(), of.fit.budget->exact.end(),
                                  [](const ExactConstant& one) { return one.constant == kConstantNames[kShape]; });
   if (!exact) return std::nullopt;
-  Cause cause = with_free(of, kShape, of.fit.used);
+  Cause cause = with_free(of, kShape, of.fit.used.list());
   if (!is_found(cause.fit) || !explains(of.data, cause.fit)) return std::nullopt;
   cause.misfit = misfit(cause.fit);
   const FittedParameter *const before = find_parameter(of.fit.parameters, of.fit.budget->parameter),

@@ -50,7 +50,7 @@ struct LimitedResiduals {
 /// A few points far off look like a large part of the noise wherever they happen to lie, or like a memory: the parts of
 /// the errors and their correlation are found without their excess, by which all of them are then larger. A run of
 /// which several points are far off on one side is not limited: it may differ from the others.
-LimitedResiduals limit(const Dataset& data, std::span<const std::size_t> used, std::span<const double> residuals) {
+LimitedResiduals limit(const Dataset& data, const PointIndices& used, std::span<const double> residuals) {
   constexpr double kBend = 5;                    // times the usual size: one of two million normal deviations is larger
   constexpr double kSeveral = 2, kShare = 0.06;  // points of a run on one side, and their share of it
   constexpr std::size_t kSome = 20'000;          // residuals whose median tells the usual size
@@ -83,7 +83,7 @@ LimitedResiduals limit(const Dataset& data, std::span<const std::size_t> used, s
   return result;
 }
 
-Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+Deviations residual_rows(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
                          std::span<const double> residuals, std::span<const double> leverages, const AxisErrors& T,
                          const AxisErrors& A, const ErrorModels& before, std::size_t pool) {
   constexpr double kMostLeverage = 0.9;  // a residual with a larger one says little about its error
@@ -114,7 +114,7 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
 double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
 
 /// Second differences of T's readings in each run; rows of different runs may alternate.
-Deviations differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+Deviations differences_of_T(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
                             double least, const ErrorModels& before, std::size_t pool) {
   constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
   const PointsByRun in_runs(data, used);
@@ -155,7 +155,7 @@ struct Deciding {
 };
 
 /// `own`: as estimate_errors has it.
-Deciding deciding_deviations(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
+Deciding deciding_deviations(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
                              std::span<const double> residuals, const std::vector<std::vector<double>>& own) {
   struct Found {
     std::size_t row, place;
@@ -213,7 +213,7 @@ std::vector<std::uint32_t> choices(bool T_known, bool A_known, bool may_be_exact
 
 /// Factors of the runs' errors, relative to the geometric mean; empty if they agree. `innovations`: of variance 1 if
 /// the errors are as estimated.
-std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t> used,
+std::vector<double> run_factors(const Dataset& data, const PointIndices& used,
                                 std::span<const double> innovations, std::span<const double> leverages,
                                 const ErrorModels& before) {
   constexpr double kChance = 1e-3, kFewest = 4;
@@ -262,7 +262,7 @@ std::array<double, 4> components_of(const ErrorModels& models) {
 
 }  // namespace
 
-TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> load_T,
+TwoProcesses processes_of(const Dataset& data, const PointIndices& used, std::span<const double> load_T,
                           std::span<const double> load_A) {
   TwoProcesses processes{std::vector<std::vector<std::size_t>>(data.curves.size()), {}, {}, {}};
   std::vector<std::size_t> passed(data.curves.size());
@@ -278,7 +278,7 @@ TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used
   return processes;
 }
 
-std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const std::size_t> used,
+std::optional<ErrorModels> estimate_errors(const Dataset& data, const PointIndices& used,
                                            const NearestPlaces& nearest, std::span<const double> leverages,
                                            const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
                                            Stage stage, const std::vector<std::vector<double>>& own) {

@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used) {
+std::vector<double> of_points(const std::vector<double>& all, const PointIndices& used) {
   std::vector<double> some;
   if (all.empty()) return some;
   some.reserve(used.size());
@@ -17,18 +17,12 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
   return some;
 }
 
-bool are_all(std::span<const std::size_t> used, std::size_t n) {
-  bool all = used.size() == n;
-  for (std::size_t i = 0; all && i < n; ++i) all = used[i] == i;
-  return all;
-}
-
 namespace {
 
 /// Sets the elements of `all` at these points. Takes the array itself if these are all: each counts with millions.
-void put(std::span<const std::size_t> used, std::vector<double>&& some, std::size_t n, double otherwise,
+void put(const PointIndices& used, std::vector<double>&& some, std::size_t n, double otherwise,
          std::vector<double>& all) {
-  if (are_all(used, n)) {
+  if (used.are_all(n)) {
     all = std::move(some);
     return;
   }
@@ -38,16 +32,16 @@ void put(std::span<const std::size_t> used, std::vector<double>&& some, std::siz
 
 }  // namespace
 
-void keep_places(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
+void keep_places(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest,
                  StandardErrors& errors) {
   put(used, std::move(nearest.T), data.points.size(), 0, errors.place_T);
   put(used, std::move(nearest.A), data.points.size(), 0, errors.place_A);
 }
 
-double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
+double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest,
                        StandardErrors& errors) {
   double change = 0;
-  const bool all = are_all(used, data.points.size());
+  const bool all = used.are_all(data.points.size());
   const auto evaluate = [&](const std::optional<ErrorModel>& model, bool estimated, double step, double Point::*reading,
                             const std::vector<double>& at, double least, std::vector<double>& sigma) {
     if (!model) return;
@@ -85,7 +79,7 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, N
   return change;
 }
 
-std::vector<double> variance_ratios(const Dataset& data, std::span<const std::size_t> used,
+std::vector<double> variance_ratios(const Dataset& data, const PointIndices& used,
                                     const StandardErrors& errors) {
   std::vector<double> ratios(used.size(), 1.0);
   if (!errors.scatter || errors.load_A.empty()) return ratios;
@@ -101,7 +95,7 @@ std::vector<double> variance_ratios(const Dataset& data, std::span<const std::si
   return ratios;
 }
 
-std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+std::vector<double> taken_off(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   std::vector<double> list = of_points(errors.expected, used);
   const RunDifferences& runs = errors.runs;
   for (std::size_t q = 0; q < runs.spreads.size(); ++q) {
@@ -112,14 +106,14 @@ std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> 
   return list;
 }
 
-std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const std::size_t> used,
+std::optional<Decorrelation> neighbours_of(const Dataset& data, const PointIndices& used,
                                            const StandardErrors& errors) {
   if (!errors.correlations.any()) return std::nullopt;
   return Decorrelation(processes_of(data, used, of_points(errors.load_T, used), of_points(errors.load_A, used)),
                        {errors.correlations});
 }
 
-std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,
+std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, const PointIndices& used,
                                                 const StandardErrors& errors,
                                                 const std::optional<Decorrelation>& neighbours) {
   if (errors.runs.spreads.empty()) return std::nullopt;
@@ -132,7 +126,7 @@ std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<c
   return GroupWhitening(std::move(Z), as_vector(errors.runs.spreads), used_runs(data, used).groups);
 }
 
-std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
+std::shared_ptr<const Whitening> whitening_of(const Dataset& data, const PointIndices& used,
                                               const StandardErrors& errors) {
   auto neighbours = neighbours_of(data, used, errors);
   auto runs = whitening_of_runs(data, used, errors, neighbours);
@@ -140,7 +134,7 @@ std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<con
   return std::make_shared<Whitening>(std::move(neighbours), std::move(runs));
 }
 
-double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+double log_variances(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   double sum = 0;
   for (const double ratio : variance_ratios(data, used, errors)) sum += std::log(ratio);
   const auto whitening = whitening_of(data, used, errors);

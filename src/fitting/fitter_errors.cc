@@ -330,7 +330,7 @@ std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest
                                                     const std::vector<std::vector<double>>& own) const {
   constexpr double kLeast = 1e-9;      // of the largest reading: below any noise
   constexpr std::size_t kFewest = 12;  // points needed to distinguish the parts of their errors
-  const std::vector<std::size_t>& used = prepared_.used;
+  const PointIndices& used = prepared_.used;
   const StandardErrors& errors = *prepared_.errors;
   const bool all = used.size() == errors.T.size();
   const std::vector<double> some_T = all ? std::vector<double>() : of_points(errors.T, used),

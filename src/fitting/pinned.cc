@@ -59,10 +59,10 @@ class AreasOfRun {
 };
 
 /// The points that a robust loss does not treat as outliers.
-std::vector<std::size_t> without_outliers(const FitResult& fit) {
+PointIndices without_outliers(const FitResult& fit) {
   constexpr double kFar = 4;  // standard errors of a residual
   const double most = kFar * spread(fit.innovations);
-  std::vector<std::size_t> points;
+  PointIndices points;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
     if (std::abs(fit.innovations[i]) <= most) points.push_back(fit.used[i]);
   return points;
@@ -93,7 +93,7 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
 
 }  // namespace
 
-bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A) {
+bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const double> sigma_A) {
   constexpr double kEnough = 5, kEnoughInAll = 10;  // points in a run; degrees of freedom in all
   double lines = 0, freedom = 0, slopes = 0, sizes = 0, falls = 0, squares = 0, products = 0;
   const PointsByRun runs(data, used);

@@ -94,7 +94,7 @@ void each_area(const ContactModel& model, const Candidate& candidate, std::size_
 /// The same for points of a data set.
 template <class Take>
 void each_area(const ContactModel& model, const Candidate& candidate, const Dataset& data,
-               const std::vector<std::size_t>& points, const Take& take) {
+               const PointIndices& points, const Take& take) {
   const Scales scales(data, candidate.constants);
   const auto reading = [&](std::size_t i) {
     return std::pair(data.points[points[i]].P, data.shear_as_read(points[i]));
@@ -116,7 +116,7 @@ std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Cand
 }
 
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
-                                           const std::vector<std::size_t>& points) {
+                                           const PointIndices& points) {
   std::vector<PredictedArea> areas(points.size());
   each_area(model, candidate, data, points, [&](std::size_t i, const PredictedArea& area) { areas[i] = area; });
   return areas;
@@ -158,7 +158,7 @@ Goodness goodness(std::span<const double> residuals, std::span<const double> tar
       [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; }, [](std::size_t) { return true; });
 }
 
-AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
+AreaGoodness area_goodness(const Dataset& data, const PointIndices& used, const ContactModel& model,
                            const Candidate& candidate) {
   AreaGoodness area;
   area.obstacle = model.obstacle(candidate.parameters);

@@ -11,6 +11,7 @@
 
 #include "dataset/dataset.h"
 #include "fitting/options.h"
+#include "fitting/point_indices.h"
 #include "fitting/standard_errors.h"
 #include "solver/results.h"
 
@@ -211,7 +212,7 @@ struct FitResult {
   FitStatus status = FitStatus::not_converged;
   Message message;
   std::vector<FittedParameter> parameters;
-  std::vector<std::size_t> used;                         // indices into Dataset::points
+  PointIndices used;
   std::vector<Excluded> excluded;                        // usable points that this model cannot describe
   std::shared_ptr<const std::string> excluded_reason{};  // owns the text that `excluded` refers to
   std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit

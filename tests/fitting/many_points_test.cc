@@ -93,7 +93,7 @@ TEST(ManyPoints, HaveTheResidualsOfFewOnesWhereverTheyStand) {
   ASSERT_TRUE(make_problem(data, options, many)->evaluate(x, residuals, {}));
   for (std::size_t i = 0; i < most.size(); i += 100) some.push_back(i);
   PreparedFit few = many;
-  few.used.clear();
+  few.used = PointIndices();
   for (const std::size_t i : some) few.used.push_back(most[i]);
   std::vector<double> same(some.size());
   ASSERT_TRUE(make_problem(data, options, few)->evaluate(x, same, {}));
