@@ -232,7 +232,7 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
   std::vector<BeyondEquilibrium> list;
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return list;
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
-    if (fit.area->areas[i]) continue;
+    if (fit.area->predicts(i)) continue;
     const std::string& curve = data.curves[data.points[fit.used[i]].curve];
     auto of_run = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.curve == curve; });
     if (of_run == list.end()) of_run = list.insert(list.end(), {curve, 0, fit.used[i]});
