@@ -32,14 +32,12 @@ void put(const PointIndices& used, std::vector<double>&& some, std::size_t n, do
 
 }  // namespace
 
-void keep_places(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest,
-                 StandardErrors& errors) {
+void keep_places(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest, StandardErrors& errors) {
   put(used, std::move(nearest.T), data.points.size(), 0, errors.place_T);
   put(used, std::move(nearest.A), data.points.size(), 0, errors.place_A);
 }
 
-double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest,
-                       StandardErrors& errors) {
+double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest, StandardErrors& errors) {
   double change = 0;
   const bool all = used.are_all(data.points.size());
   const auto evaluate = [&](const std::optional<ErrorModel>& model, bool estimated, double step, double Point::*reading,
@@ -79,20 +77,14 @@ double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPla
   return change;
 }
 
-std::vector<double> variance_ratios(const Dataset& data, const PointIndices& used,
-                                    const StandardErrors& errors) {
-  std::vector<double> ratios(used.size(), 1.0);
-  if (!errors.scatter || errors.load_A.empty()) return ratios;
+double variance_ratio(const Dataset& data, const StandardErrors& errors, std::size_t point) {
+  if (!errors.scatter || errors.load_A.empty()) return 1;
   const auto by_reading = [&](ErrorSource source, double sigma, double value) {
     return StandardErrors::is_known(source) ? 1 : std::pow(*errors.scatter * value / sigma, 2);
   };
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const std::size_t k = used[i];
-    const double T = by_reading(errors.source_T, errors.T[k], data.points[k].shear()),
-                 A = by_reading(errors.source_A, errors.A[k], data.points[k].A);
-    ratios[i] = 1 / (errors.square_of_load_T(k) * T + std::pow(errors.load_A[k], 2) * A);
-  }
-  return ratios;
+  const double T = by_reading(errors.source_T, errors.T[point], data.points[point].shear()),
+               A = by_reading(errors.source_A, errors.A[point], data.points[point].A);
+  return 1 / (errors.square_of_load_T(point) * T + std::pow(errors.load_A[point], 2) * A);
 }
 
 std::vector<double> taken_off(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
@@ -136,7 +128,7 @@ std::shared_ptr<const Whitening> whitening_of(const Dataset& data, const PointIn
 
 double log_variances(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   double sum = 0;
-  for (const double ratio : variance_ratios(data, used, errors)) sum += std::log(ratio);
+  for (const std::size_t point : used) sum += std::log(variance_ratio(data, errors, point));
   const auto whitening = whitening_of(data, used, errors);
   return whitening ? sum + whitening->log_determinant() : sum;
 }

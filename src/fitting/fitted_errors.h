@@ -9,18 +9,15 @@
 namespace mixity {
 
 /// Sets place_T and place_A of `errors` for the points of the fit.
-void keep_places(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest,
-                 StandardErrors& errors);
+void keep_places(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest, StandardErrors& errors);
 
 /// Evaluates the errors of fitted points at their places on the fitted curve, those of other points at the readings.
 /// Returns the largest relative change among the fitted points.
-double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest,
-                       StandardErrors& errors);
+double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest, StandardErrors& errors);
 
-/// For each of these points, the variance of its residual divided by that of proportional errors of `errors.scatter` at
-/// the readings; 1 where errors are not estimated.
-std::vector<double> variance_ratios(const Dataset& data, const PointIndices& used,
-                                    const StandardErrors& errors);
+/// The variance of a point's residual divided by that of proportional errors of `errors.scatter` at its readings; 1
+/// where errors are not estimated.
+double variance_ratio(const Dataset& data, const StandardErrors& errors, std::size_t point);
 
 /// The elements of `all` at these points; empty if `all` is.
 std::vector<double> of_points(const std::vector<double>& all, const PointIndices& used);
@@ -33,7 +30,6 @@ double log_variances(const Dataset& data, const PointIndices& used, const Standa
 std::vector<double> taken_off(const Dataset& data, const PointIndices& used, const StandardErrors& errors);
 
 /// Decorrelates the residuals of these points; null where neighbours do not correlate.
-std::optional<Decorrelation> neighbours_of(const Dataset& data, const PointIndices& used,
-                                           const StandardErrors& errors);
+std::optional<Decorrelation> neighbours_of(const Dataset& data, const PointIndices& used, const StandardErrors& errors);
 
 }  // namespace mixity

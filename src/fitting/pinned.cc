@@ -70,7 +70,7 @@ PointIndices without_outliers(const FitResult& fit) {
 
 /// Whether the fitted curves describe the areas better than one area per run, by more than such autocorrelated noise
 /// can. The fall is steepest next to the jump, where no simple trend detects it.
-bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const double> residuals) {
+bool fall_as_fitted(const Dataset& data, const FitResult& fit, const std::function<double(std::size_t)>& residual) {
   if (fit.objective != Objective::curve || !fit.errors || fit.errors->A.empty()) return false;
   const auto weight = [&](std::size_t i) { return 1 / std::pow(fit.errors->A[fit.used[i]], 2); };
   double excess = 0;
@@ -84,7 +84,7 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
     }
     for (std::size_t k = 0; k < runs.size(g); ++k) {
       const std::size_t i = runs.at(g, k);
-      excess += weight(i) * std::pow(data.points[fit.used[i]].A - mean, 2) - residuals[i] * residuals[i];
+      excess += weight(i) * std::pow(data.points[fit.used[i]].A - mean, 2) - std::pow(residual(i), 2);
     }
   }
   const double worth = independent_points(fit) / static_cast<double>(fit.used.size());
@@ -122,11 +122,11 @@ bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const d
   return !(falls > 0) || fisher_p_value(falls / lines / variance, lines, freedom) >= kChance;
 }
 
-bool is_pinned(const Dataset& data, const FitResult& fit, std::span<const double> residuals) {
+bool is_pinned(const Dataset& data, const FitResult& fit, const std::function<double(std::size_t)>& residual) {
   const bool robust = fit.loss_scale > 0 && fit.innovations.size() == fit.used.size();
   const std::span<const double> sigma_A = fit.errors ? fit.errors->A : std::span<const double>();
   const bool stay = robust ? areas_stay(data, without_outliers(fit), sigma_A) : areas_stay(data, fit.used, sigma_A);
-  return stay && !fall_as_fitted(data, fit, residuals);
+  return stay && !fall_as_fitted(data, fit, residual);
 }
 
 }  // namespace mixity

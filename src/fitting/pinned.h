@@ -1,6 +1,8 @@
 // Contacts whose areas stay constant, so that the runs do not determine the parameters.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 
 #include "dataset/dataset.h"
@@ -16,7 +18,7 @@ namespace mixity {
 bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const double> sigma_A);
 
 /// Whether the areas stay constant within their scatter, and the fitted curves describe them no better than one area
-/// per run. `residuals`: without the part expected from noise.
-bool is_pinned(const Dataset& data, const FitResult& fit, std::span<const double> residuals);
+/// per run. `residual`: of the i-th used point, without the part expected from noise.
+bool is_pinned(const Dataset& data, const FitResult& fit, const std::function<double(std::size_t)>& residual);
 
 }  // namespace mixity
