@@ -290,7 +290,7 @@ std::vector<Cause> beside_the_fit(const Case& of) {
     std::stable_sort(beyond.begin(), beyond.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
     for (const auto& [reach, constant] : beyond) {
       if (!list.empty() && list.front().name == kConstantNames[constant]) break;
-      Cause one = with_free(of, constant, fit.used);
+      Cause one = with_free(of, constant, Points(fit.used.begin(), fit.used.end()));
       if (!is_found(one.fit) || !explains(of.data, one.fit)) continue;
       one.misfit = misfit(one.fit);
       if (one.misfit + implausibility(of, one) > misfit(fit)) continue;
@@ -308,7 +308,7 @@ std::optional<Cause> shape_instead_of_memory(const Case& of) {
   const bool exact = std::any_of(of.fit.budget->exact.begin(), of.fit.budget->exact.end(),
                                  [](const ExactConstant& one) { return one.constant == kConstantNames[kShape]; });
   if (!exact) return std::nullopt;
-  Cause cause = with_free(of, kShape, of.fit.used);
+  Cause cause = with_free(of, kShape, of.fit.used.list());
   if (!is_found(cause.fit) || !explains(of.data, cause.fit)) return std::nullopt;
   cause.misfit = misfit(cause.fit);
   const FittedParameter *const before = find_parameter(of.fit.parameters, of.fit.budget->parameter),

@@ -221,9 +221,9 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
 
 /// Root mean square residual in units of the scatter of neighbouring points.
 double over_scatter(const Dataset& data, const FitResult& fit) {
-  const std::vector<double> ratios = variance_ratios(data, fit.used, *fit.errors);
   double squares = 0;
-  for (std::size_t i = 0; i < fit.residuals.size(); ++i) squares += std::pow(unexpected(fit, i), 2) * ratios[i];
+  for (std::size_t i = 0; i < fit.residuals.size(); ++i)
+    squares += std::pow(unexpected(fit, i), 2) * variance_ratio(data, *fit.errors, fit.used[i]);
   return fit.freedom() > 0 ? std::sqrt(squares / static_cast<double>(fit.freedom())) : 0;
 }
 
@@ -232,7 +232,7 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
   std::vector<BeyondEquilibrium> list;
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return list;
   for (std::size_t i = 0; i < fit.used.size(); ++i) {
-    if (fit.area->areas[i]) continue;
+    if (fit.area->predicts(i)) continue;
     const std::string& curve = data.curves[data.points[fit.used[i]].curve];
     auto of_run = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.curve == curve; });
     if (of_run == list.end()) of_run = list.insert(list.end(), {curve, 0, fit.used[i]});
@@ -272,7 +272,7 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
-  result.pinned = data.has_loads && is_pinned(data, fit, unexpected(fit));
+  result.pinned = data.has_loads && is_pinned(data, fit, [&](std::size_t i) { return unexpected(fit, i); });
   return result;
 }
 

@@ -18,8 +18,7 @@ using Run = std::array<Part, kParts>;
 
 /// The parts of all runs that are long enough.
 template <class Shear, class Residual>
-std::vector<Run> parts_of(const Dataset& data, std::span<const std::size_t> used, const Shear& T,
-                          const Residual& residual) {
+std::vector<Run> parts_of(const Dataset& data, const PointIndices& used, const Shear& T, const Residual& residual) {
   std::vector<double> largest(data.curves.size());
   std::vector<std::size_t> points(data.curves.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -70,12 +69,12 @@ std::optional<CourseTest> test_parts(const std::vector<Run>& runs) {
 
 }  // namespace
 
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, const OfPoint& T,
+std::optional<CourseTest> test_course(const Dataset& data, const PointIndices& used, const OfPoint& T,
                                       const OfPoint& residual) {
   return test_parts(parts_of(data, used, T, residual));
 }
 
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
+std::optional<CourseTest> test_course(const Dataset& data, const PointIndices& used, std::span<const double> T,
                                       std::span<const double> residuals) {
   return test_parts(parts_of(
       data, used, [&](std::size_t i) { return T[i]; }, [&](std::size_t i) { return residuals[i]; }));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dataset/dataset.h"
+#include "fitting/point_indices.h"
 
 namespace mixity {
 
@@ -31,9 +32,9 @@ struct CourseTest {
 /// readings instead, the highest part has more points that are read too large by chance, so that the mean of its
 /// residuals is not 0. Null unless at least three runs have ten points or more.
 using OfPoint = std::function<double(std::size_t)>;  // by place among the used points
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, const OfPoint& T,
+std::optional<CourseTest> test_course(const Dataset& data, const PointIndices& used, const OfPoint& T,
                                       const OfPoint& residual);
-std::optional<CourseTest> test_course(const Dataset& data, std::span<const std::size_t> used, std::span<const double> T,
+std::optional<CourseTest> test_course(const Dataset& data, const PointIndices& used, std::span<const double> T,
                                       std::span<const double> residuals);
 
 }  // namespace mixity

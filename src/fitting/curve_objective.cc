@@ -49,26 +49,22 @@ std::size_t CurveObjective::parts() const {
 
 bool CurveObjective::evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                                    std::vector<double>& jacobian) const {
-  return part_of(part, x, residuals, jacobian, nullptr);
+  return part_of(part, x, residuals, jacobian, {});
 }
 
 bool CurveObjective::evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
-                                         std::vector<double>& jacobian, std::vector<double>& memory) const {
-  return part_of(part, x, residuals, jacobian, near_ ? nullptr : &memory);
+                                         std::vector<double>& jacobian, std::span<double> memory) const {
+  return part_of(part, x, residuals, jacobian, memory);
 }
 
 bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
-                             std::vector<double>& jacobian, std::vector<double>* memory) const {
+                             std::vector<double>& jacobian, std::span<double> memory) const {
   if (parts() == 1) return Problem::evaluate_part(part, x, residuals, jacobian);
   const std::size_t begin = part * kBlocksOfAPart, end = std::min(begin + kBlocksOfAPart, blocks_.size() - 1),
                     first = blocks_[begin], n = blocks_[end] - first;
   residuals.resize(n);
   jacobian.resize(n * choice_.size());
-  std::span<double> places;
-  if (memory) {
-    memory->resize(2 * n, 0.0);
-    places = *memory;
-  }
+  const std::span<double> places = memory.empty() ? memory : memory.subspan(2 * first, 2 * n);
   if (!some_blocks(x, points_, {begin, end, first}, Search::global, {residuals, jacobian, places})) return false;
   for (std::size_t i = 0; expected_ && i < expected_->size() && i < n; ++i)
     residuals[i] -= (*expected_)[index_of(first + i)];
@@ -114,12 +110,15 @@ void CurveObjective::whiten(std::span<double> jacobian) const {
     whitening_->apply(jacobian.first(points_.size * width).subspan(k), width);
 }
 
-std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x, std::span<double> jacobian) const {
-  NearestPlaces found;
+std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x, std::span<double> jacobian,
+                                                     NearestPlaces from) const {
+  const bool from_nearest = !from.T.empty();
+  NearestPlaces found = std::move(from);
   for (std::vector<double>* const list : {&found.residuals, &found.T, &found.A, &found.load_T, &found.load_A})
     list->resize(points_.size);
   found.axes.resize(axes_rows_);
-  if (!all_blocks(x, points_, Search::global, {found.residuals, jacobian, {}, &found, found.axes})) return std::nullopt;
+  if (!all_blocks(x, points_, Search::global, {found.residuals, jacobian, {}, &found, false, from_nearest, found.axes}))
+    return std::nullopt;
   if (!jacobian.empty()) whiten(jacobian);
   return found;
 }
@@ -198,15 +197,16 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
   return own;
 }
 
-/// Fills the arrays of a block with scaled points, and sets where the search for the nearest places starts.
+/// Fills the arrays of a block with scaled points, and sets where the search for the nearest places starts: at `from`,
+/// or if that is null where the points know it.
 void CurveObjective::scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin,
-                                 Workspace& workspace, CurveDistances& out) const {
+                                 const NearestPlaces* from, Workspace& workspace, CurveDistances& out) const {
   const std::size_t n = out.r.size();
   ConstantsScale scale(constants);
   const auto array = [&](std::size_t which) { return workspace.array(which, n).data(); };
   double *const P = array(0), *const T = array(1), *const A = array(2), *const sigma_T = array(3),
                 *const sigma_A = array(4);
-  if (!listed_.empty() && &points == &points_ && !has_changes(constants)) {
+  if (!listed_.empty() && &points == &points_ && !has_changes(constants) && !from) {
     const auto from = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
     for (std::size_t i = 0; i < n; ++i) {
       P[i] = scale.load(from(0)[i]);
@@ -219,6 +219,10 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   }
   const PointArrays arrays = workspace.points(n);
   points.fill(Indices(*this, begin, n).list, arrays);
+  for (std::size_t i = 0; from && i < n; ++i) {
+    arrays.near_T[i] = from->T[index_of(begin + i)];
+    arrays.near_A[i] = from->A[index_of(begin + i)];
+  }
   const bool varies = varies_ || has_changes(constants), near = arrays.near_A[0] > 0;
   if (near && out.place_A.empty()) {
     out.place_T = workspace.array(11, n);
@@ -276,7 +280,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     out.place_A = array(12);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
-  scale_block(at.constants, points, begin, workspace, out);
+  scale_block(at.constants, points, begin, wanted.from_nearest ? wanted.nearest : nullptr, workspace, out);
   OfAxes axes;
   PlanePoints plane{array(0), array(1), array(2), array(3), array(4)};
   if (!wanted.axes.empty() && points.axes) axes.add(*this, points, begin, n, p, plane, out);

@@ -38,16 +38,21 @@ class CurveObjective final : public ModelProblem {
   std::size_t parts() const override;
   bool evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                      std::vector<double>& jacobian) const override;
+  std::size_t memory_of_parts() const override { return near_ ? 0 : 2 * points_.size; }
   bool evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
-                           std::vector<double>& jacobian, std::vector<double>& memory) const override;
+                           std::vector<double>& jacobian, std::span<double> memory) const override;
   /// To first order, at a sample of the points.
   bool evaluate_roughly(std::span<const double> x, std::span<double> residuals) const override;
 
   /// Computes residuals and the distances that they come from. False where a value is not finite.
   bool evaluate_both(std::span<const double> x, std::span<double> residuals, std::vector<double>& distances) const;
-  /// The distances and the nearest points of the curves. `jacobian`: as evaluate() fills it, or empty. Null where a
-  /// value is not finite.
-  std::optional<NearestPlaces> nearest(std::span<const double> x, std::span<double> jacobian = {}) const;
+  /// The distances and the nearest points of the curves. `jacobian`: as evaluate() fills it, or empty. `from`: T and A
+  /// of places at which the search begins, whose memory the result takes; empty: those that the points know. Null
+  /// where a value is not finite.
+  std::optional<NearestPlaces> nearest(std::span<const double> x, std::span<double> jacobian = {},
+                                       NearestPlaces from = {}) const;
+  /// Whether the positions of points matter, which depend on their places so far.
+  bool has_places() const { return points_.has_places(); }
   /// The mean distance of readings with these true values and with noise of the standard errors: by Gauss-Hermite
   /// quadrature of order 3 over the noise along the curve, whose middle node contributes 0. Null where a value is not
   /// finite.
@@ -62,8 +67,9 @@ class CurveObjective final : public ModelProblem {
   struct Wanted {
     std::span<double> residuals, jacobian, places;
     NearestPlaces* nearest = nullptr;
-    std::span<double> axes{};  // residuals by row behind those of the points
-    bool halves = false;       // adds half of each residual to what is there
+    bool halves = false;        // adds half of each residual to what is there
+    bool from_nearest = false;  // the search begins at the places in `nearest`
+    std::span<double> axes{};   // residuals by row behind those of the points
   };
   /// A range of blocks. `first`: the rank of the point whose row is row 0; null: a point's row is its index.
   struct Range {
@@ -75,7 +81,7 @@ class CurveObjective final : public ModelProblem {
   template <class Of>
   double sum_of(double from, const Of& of) const;
   bool part_of(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
-               std::vector<double>& jacobian, std::vector<double>* memory) const;
+               std::vector<double>& jacobian, std::span<double> memory) const;
   std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
   struct Indices;
   void whiten(std::span<double> jacobian) const;
@@ -90,8 +96,8 @@ class CurveObjective final : public ModelProblem {
   }
   bool some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range, Search search,
                    const Wanted& wanted) const;
-  void scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin, Workspace& workspace,
-                   CurveDistances& out) const;
+  void scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin,
+                   const NearestPlaces* from, Workspace& workspace, CurveDistances& out) const;
   /// The parameters of a run, clamped to their ranges.
   Candidate of_run(const Candidate& of_all, std::size_t run) const;
   bool one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,

@@ -11,7 +11,7 @@
 
 namespace mixity {
 
-std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<std::size_t>& used) {
+std::vector<EnergyPoint> energy_points(const Dataset& data, const PointIndices& used) {
   double largest = 0;
   for (const PointEnergies& e : data.energies) largest = std::max({largest, e.G_I, e.G_II});
   std::vector<EnergyPoint> points;
@@ -34,7 +34,7 @@ std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<st
 }
 
 std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vector<EnergyPoint>& points,
-                                            const std::vector<std::size_t>& used, double prior) {
+                                            const PointIndices& used, double prior) {
   std::vector<FreeParameter> list;
   std::vector<double> least;
   for (std::size_t i = 0; i < points.size(); ++i) {

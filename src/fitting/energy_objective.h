@@ -6,6 +6,7 @@
 
 #include "dataset/dataset.h"
 #include "fitting/model_problem.h"
+#include "fitting/point_indices.h"
 
 namespace mixity {
 
@@ -17,12 +18,12 @@ struct EnergyPoint {
 
 /// The energies of the used points. Errors of 0 are raised to kLeastError of the largest energy; without errors, all
 /// are 1. Throws InputError where only some errors are stated.
-std::vector<EnergyPoint> energy_points(const Dataset& data, const std::vector<std::size_t>& used);
+std::vector<EnergyPoint> energy_points(const Dataset& data, const PointIndices& used);
 
 /// G_Ic of each series, as ln of its ratio to the data set's G_Ic. Without a prior (0) it starts from Gc of the point
 /// with the smallest share of mode II.
 std::vector<FreeParameter> series_toughness(const Dataset& data, const std::vector<EnergyPoint>& points,
-                                            const std::vector<std::size_t>& used, double prior);
+                                            const PointIndices& used, double prior);
 
 class EnergyObjective final : public WeightedProblem {
  public:

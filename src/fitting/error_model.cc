@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "base/threads.h"
 #include "fitting/run_differences.h"
@@ -41,50 +42,70 @@ Deviations rows_of_runs(const PointsByRun& in_runs, std::size_t pool, const Add&
   return rows;
 }
 
-/// Residuals limited to a few times their usual size, and the ratio of their sums of squares, before over after.
-struct LimitedResiduals {
-  std::vector<double> limited{};  // empty if none is beyond
-  double inflation = 1;
+/// Residuals limited to a few times their usual size. A few points far off look like a large part of the noise wherever
+/// they happen to lie, or like a memory: the parts of the errors and their correlation are found without their excess,
+/// by which all of them are then larger. A run of which several points are far off on one side is not limited: it may
+/// differ from the others. Computed on demand: of millions of points a list would count.
+class LimitedResiduals {
+ public:
+  /// All arguments must outlive this object.
+  LimitedResiduals(const Dataset& data, const PointIndices& used, std::span<const double> residuals)
+      : data_(data), used_(used), residuals_(residuals) {
+    constexpr double kBend = 5;  // times the usual size: one of two million normal deviations is larger
+    constexpr double kSeveral = 2, kShare = 0.06;  // points of a run on one side, and their share of it
+    constexpr std::size_t kSome = 20'000;          // residuals whose median tells the usual size
+    std::vector<double> sizes;
+    const std::size_t n = residuals.size(), step = n / kSome + 1;
+    for (std::size_t i = 0; i < n; i += step) sizes.push_back(residuals[i]);
+    const double most = kBend * spread(sizes);
+    const auto is_far = [&](double r) { return std::abs(r) > most; };
+    if (!(most > 0) || std::none_of(residuals.begin(), residuals.end(), is_far)) return;
+    struct Counts {
+      double points = 0, above = 0, below = 0;
+    };
+    std::vector<Counts> runs(data.curves.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      Counts& run = runs[data.points[used[i]].curve];
+      ++run.points;
+      if (is_far(residuals[i])) ++(residuals[i] > 0 ? run.above : run.below);
+    }
+    const auto limit = [&](double far, double points) {
+      return far <= std::max(kSeveral, kShare * points) ? most : std::numeric_limits<double>::infinity();
+    };
+    for (const Counts& run : runs) limits_.push_back({limit(run.above, run.points), limit(run.below, run.points)});
+    most_ = most;
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double r = residuals[i], limited = (*this)[i];
+      before += r * r;
+      after += limited * limited;
+    }
+    inflation_ = before / after;
+  }
+
+  double operator[](std::size_t i) const {
+    const double r = residuals_[i];
+    if (!(std::abs(r) > most_)) return r;
+    const Limits& limits = limits_[data_.points[used_[i]].curve];
+    return std::copysign(std::min(std::abs(r), r > 0 ? limits.above : limits.below), r);
+  }
+  std::size_t size() const { return residuals_.size(); }
+  /// The ratio of the sums of squares, without limits over with them.
+  double inflation() const { return inflation_; }
+
+ private:
+  struct Limits {
+    double above, below;
+  };
+  const Dataset& data_;
+  const PointIndices& used_;
+  std::span<const double> residuals_;
+  double most_ = std::numeric_limits<double>::infinity(), inflation_ = 1;
+  std::vector<Limits> limits_;  // by run; empty if no residual is beyond
 };
 
-/// A few points far off look like a large part of the noise wherever they happen to lie, or like a memory: the parts of
-/// the errors and their correlation are found without their excess, by which all of them are then larger. A run of
-/// which several points are far off on one side is not limited: it may differ from the others.
-LimitedResiduals limit(const Dataset& data, std::span<const std::size_t> used, std::span<const double> residuals) {
-  constexpr double kBend = 5;                    // times the usual size: one of two million normal deviations is larger
-  constexpr double kSeveral = 2, kShare = 0.06;  // points of a run on one side, and their share of it
-  constexpr std::size_t kSome = 20'000;          // residuals whose median tells the usual size
-  std::vector<double> sizes;
-  const std::size_t n = residuals.size(), step = n / kSome + 1;
-  for (std::size_t i = 0; i < n; i += step) sizes.push_back(residuals[i]);
-  const double most = kBend * spread(sizes);
-  const auto is_far = [&](double r) { return std::abs(r) > most; };
-  if (!(most > 0) || std::none_of(residuals.begin(), residuals.end(), is_far)) return {};
-  struct Run {
-    double points = 0, above = 0, below = 0;
-  };
-  std::vector<Run> runs(data.curves.size());
-  for (std::size_t i = 0; i < n; ++i) {
-    Run& run = runs[data.points[used[i]].curve];
-    ++run.points;
-    if (is_far(residuals[i])) ++(residuals[i] > 0 ? run.above : run.below);
-  }
-  LimitedResiduals result{{residuals.begin(), residuals.end()}, 1};
-  double before = 0, after = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Run& run = runs[data.points[used[i]].curve];
-    double& r = result.limited[i];
-    before += r * r;
-    if (is_far(r) && (r > 0 ? run.above : run.below) <= std::max(kSeveral, kShare * run.points))
-      r = std::copysign(most, r);
-    after += r * r;
-  }
-  result.inflation = before / after;
-  return result;
-}
-
-Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                         std::span<const double> residuals, std::span<const double> leverages, const AxisErrors& T,
+Deviations residual_rows(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
+                         const LimitedResiduals& residuals, std::span<const double> leverages, const AxisErrors& T,
                          const AxisErrors& A, const ErrorModels& before, std::size_t pool) {
   constexpr double kMostLeverage = 0.9;  // a residual with a larger one says little about its error
   const auto add = [&](std::size_t i, Deviations& rows) {
@@ -114,8 +135,8 @@ Deviations residual_rows(const Dataset& data, std::span<const std::size_t> used,
 double kept(double rho) { return (6 - 8 * rho + 2 * rho * rho) / 6; }
 
 /// Second differences of T's readings in each run; rows of different runs may alternate.
-Deviations differences_of_T(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                            double least, const ErrorModels& before, std::size_t pool) {
+Deviations differences_of_T(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest, double least,
+                            const ErrorModels& before, std::size_t pool) {
   constexpr double kShare = 0.5;  // neighbouring second differences of white noise correlate by -2/3 and 1/6
   const PointsByRun in_runs(data, used);
   return rows_of_runs(in_runs, pool, [&](std::size_t g, Deviations& rows) {
@@ -155,8 +176,8 @@ struct Deciding {
 };
 
 /// `own`: as estimate_errors has it.
-Deciding deciding_deviations(const Dataset& data, std::span<const std::size_t> used, const NearestPlaces& nearest,
-                             std::span<const double> residuals, const std::vector<std::vector<double>>& own) {
+Deciding deciding_deviations(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
+                             const LimitedResiduals& residuals, const std::vector<std::vector<double>>& own) {
   struct Found {
     std::size_t row, place;
   };
@@ -213,9 +234,9 @@ std::vector<std::uint32_t> choices(bool T_known, bool A_known, bool may_be_exact
 
 /// Factors of the runs' errors, relative to the geometric mean; empty if they agree. `innovations`: of variance 1 if
 /// the errors are as estimated.
-std::vector<double> run_factors(const Dataset& data, std::span<const std::size_t> used,
-                                std::span<const double> innovations, std::span<const double> leverages,
-                                const ErrorModels& before) {
+template <class Innovations>
+std::vector<double> run_factors(const Dataset& data, const PointIndices& used, const Innovations& innovations,
+                                std::span<const double> leverages, const ErrorModels& before) {
   constexpr double kChance = 1e-3, kFewest = 4;
   std::vector<double> squares(data.curves.size()), freedom(data.curves.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -262,7 +283,7 @@ std::array<double, 4> components_of(const ErrorModels& models) {
 
 }  // namespace
 
-TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> load_T,
+TwoProcesses processes_of(const Dataset& data, const PointIndices& used, std::span<const double> load_T,
                           std::span<const double> load_A) {
   TwoProcesses processes{std::vector<std::vector<std::size_t>>(data.curves.size()), {}, {}, {}};
   std::vector<std::size_t> passed(data.curves.size());
@@ -278,10 +299,10 @@ TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used
   return processes;
 }
 
-std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const std::size_t> used,
-                                           const NearestPlaces& nearest, std::span<const double> leverages,
-                                           const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
-                                           Stage stage, const std::vector<std::vector<double>>& own) {
+std::optional<ErrorModels> estimate_errors(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
+                                           std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
+                                           const ErrorModels& before, Stage stage,
+                                           const std::vector<std::vector<double>>& own) {
   constexpr double kContradicted = 6;  // fall of ln L of the residuals when the differences of T are included
   ErrorModels models = before;
   const std::size_t pool = pool_of(used.size(), !own.empty());
@@ -293,11 +314,10 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   const Deviations differences =
       T.known || ends ? Deviations(4) : differences_of_T(data, used, nearest, T.least, independent, pool);
   const ReadingsOfT readings = T.known || ends ? ReadingsOfT{} : readings_of_T(differences, models);
-  const LimitedResiduals limits = limit(data, used, nearest.residuals);
-  const std::vector<double>& residuals_used = limits.limited.empty() ? nearest.residuals : limits.limited;
+  const LimitedResiduals limited(data, used, nearest.residuals);
   std::optional<Deciding> made;
   const auto deciding = [&]() -> const Deciding& {
-    if (!made) made = deciding_deviations(data, used, nearest, residuals_used, own);
+    if (!made) made = deciding_deviations(data, used, nearest, limited, own);
     return *made;
   };
   // Points that scatter far less than their stated errors say nothing about these errors.
@@ -315,7 +335,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
     if (!ends) improve_correlated(deciding(), readings, T.known, A.known, models);
   } else if (!T.known || !A.known) {
     made.reset();
-    const Deviations residuals = residual_rows(data, used, nearest, residuals_used, leverages, T, A, models, pool);
+    const Deviations residuals = residual_rows(data, used, nearest, limited, leverages, T, A, models, pool);
     Deviations all = residuals;
     if (!T.known && (choose || before.differences))
       all.append(differences.size() > 0 && !models.correlations.any()
@@ -343,13 +363,17 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const 
   }
   // While parts are being chosen, factors could replace them, since areas of different runs differ.
   if (!choose && !T.known && !A.known) {
-    std::vector<double> innovations = residuals_used;
-    if (models.correlations.any() || used.size() < kManyPoints)
+    if (models.correlations.any() || used.size() < kManyPoints) {
+      std::vector<double> innovations;
+      for (std::size_t i = 0; i < limited.size(); ++i) innovations.push_back(limited[i]);
       Decorrelation(processes_of(data, used, nearest.load_T, nearest.load_A), {models.correlations}).apply(innovations);
-    models.run_factors = run_factors(data, used, innovations, leverages, before);
+      models.run_factors = run_factors(data, used, innovations, leverages, before);
+    } else {
+      models.run_factors = run_factors(data, used, limited, leverages, before);
+    }
   }
   const bool estimated = !(ends && models.correlations.any());
-  const double larger = estimated ? std::sqrt(limits.inflation) : 1;
+  const double larger = estimated ? std::sqrt(limited.inflation()) : 1;
   if (!T.known && models.T) *models.T = {models.T->constant * larger, models.T->share * larger};
   if (!A.known && models.A) *models.A = {models.A->constant * larger, models.A->share * larger};
   return models;

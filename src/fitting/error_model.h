@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "fitting/point_indices.h"
 #include "fitting/standard_errors.h"
 #include "statistics/autoregression.h"
 
@@ -52,10 +53,10 @@ enum class Stage { weighting, choosing, refining, ending };
 /// correlation of neighbours. `used`: indices of the points; `leverages`: those of their residuals, 0..1; `before`: the
 /// last estimate; `own`: columns of which each run has its own multiple, which is not noise and is subtracted. Null if
 /// all residuals are 0.
-std::optional<ErrorModels> estimate_errors(const Dataset& data, std::span<const std::size_t> used,
-                                           const NearestPlaces& nearest, std::span<const double> leverages,
-                                           const AxisErrors& T, const AxisErrors& A, const ErrorModels& before,
-                                           Stage stage, const std::vector<std::vector<double>>& own);
+std::optional<ErrorModels> estimate_errors(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
+                                           std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
+                                           const ErrorModels& before, Stage stage,
+                                           const std::vector<std::vector<double>>& own);
 
 /// The share of squared residuals that is independent: squares of neighbours correlate by rho^2.
 inline double independence(double rho) { return (1 - rho * rho) / (1 + rho * rho); }
@@ -64,7 +65,7 @@ inline double independence(const NeighbourCorrelations& rho) {
 }
 
 /// The residuals as autocorrelated processes along the runs.
-TwoProcesses processes_of(const Dataset& data, std::span<const std::size_t> used, std::span<const double> load_T,
+TwoProcesses processes_of(const Dataset& data, const PointIndices& used, std::span<const double> load_T,
                           std::span<const double> load_A);
 
 }  // namespace mixity

@@ -60,7 +60,7 @@ std::size_t onset(const Points& run, const std::vector<bool>& off) {
 
 }  // namespace
 
-Points thinned(const Points& points, std::size_t enough) {
+Points thinned(const PointIndices& points, std::size_t enough) {
   const std::size_t step = points.size() / enough + 1;
   Points some;
   for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);

@@ -25,7 +25,7 @@ inline constexpr std::size_t kTriedFirst = 200;
 inline bool worth_a_sample(const Points& points) { return points.size() >= 2 * kTriedFirst; }
 
 /// At most `enough` of the points, evenly spaced.
-Points thinned(const Points& points, std::size_t enough);
+Points thinned(const PointIndices& points, std::size_t enough);
 
 /// Whether a refit reached a minimum with more points than parameters.
 bool is_found(const FitResult& fit);

@@ -70,7 +70,7 @@ bool slides(const FitResult& fit) {
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return false;
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
-    beyond += !fit.area->areas[i] && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit);
+    beyond += !fit.area->predicts(i) && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit);
   return beyond > kFew;
 }
 

@@ -9,7 +9,7 @@
 
 namespace mixity {
 
-std::vector<double> of_points(const std::vector<double>& all, std::span<const std::size_t> used) {
+std::vector<double> of_points(const std::vector<double>& all, const PointIndices& used) {
   std::vector<double> some;
   if (all.empty()) return some;
   some.reserve(used.size());
@@ -17,18 +17,12 @@ std::vector<double> of_points(const std::vector<double>& all, std::span<const st
   return some;
 }
 
-bool are_all(std::span<const std::size_t> used, std::size_t n) {
-  bool all = used.size() == n;
-  for (std::size_t i = 0; all && i < n; ++i) all = used[i] == i;
-  return all;
-}
-
 namespace {
 
 /// Sets the elements of `all` at these points. Takes the array itself if these are all: each counts with millions.
-void put(std::span<const std::size_t> used, std::vector<double>&& some, std::size_t n, double otherwise,
+void put(const PointIndices& used, std::vector<double>&& some, std::size_t n, double otherwise,
          std::vector<double>& all) {
-  if (are_all(used, n)) {
+  if (used.are_all(n)) {
     all = std::move(some);
     return;
   }
@@ -38,16 +32,14 @@ void put(std::span<const std::size_t> used, std::vector<double>&& some, std::siz
 
 }  // namespace
 
-void keep_places(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
-                 StandardErrors& errors) {
+void keep_places(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest, StandardErrors& errors) {
   put(used, std::move(nearest.T), data.points.size(), 0, errors.place_T);
   put(used, std::move(nearest.A), data.points.size(), 0, errors.place_A);
 }
 
-double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, NearestPlaces&& nearest,
-                       StandardErrors& errors) {
+double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPlaces&& nearest, StandardErrors& errors) {
   double change = 0;
-  const bool all = are_all(used, data.points.size());
+  const bool all = used.are_all(data.points.size());
   const auto evaluate = [&](const std::optional<ErrorModel>& model, bool estimated, double step, double Point::*reading,
                             const std::vector<double>& at, double least, std::vector<double>& sigma) {
     if (!model) return;
@@ -85,23 +77,17 @@ double evaluate_errors(const Dataset& data, std::span<const std::size_t> used, N
   return change;
 }
 
-std::vector<double> variance_ratios(const Dataset& data, std::span<const std::size_t> used,
-                                    const StandardErrors& errors) {
-  std::vector<double> ratios(used.size(), 1.0);
-  if (!errors.scatter || errors.load_A.empty()) return ratios;
+double variance_ratio(const Dataset& data, const StandardErrors& errors, std::size_t point) {
+  if (!errors.scatter || errors.load_A.empty()) return 1;
   const auto by_reading = [&](ErrorSource source, double sigma, double value) {
     return StandardErrors::is_known(source) ? 1 : std::pow(*errors.scatter * value / sigma, 2);
   };
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const std::size_t k = used[i];
-    const double T = by_reading(errors.source_T, errors.T[k], data.points[k].shear()),
-                 A = by_reading(errors.source_A, errors.A[k], data.points[k].A);
-    ratios[i] = 1 / (errors.square_of_load_T(k) * T + std::pow(errors.load_A[k], 2) * A);
-  }
-  return ratios;
+  const double T = by_reading(errors.source_T, errors.T[point], data.points[point].shear()),
+               A = by_reading(errors.source_A, errors.A[point], data.points[point].A);
+  return 1 / (errors.square_of_load_T(point) * T + std::pow(errors.load_A[point], 2) * A);
 }
 
-double log_variances_of_axes(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+double log_variances_of_axes(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   double sum = 0;
   for (const std::size_t i : used) {
     if (!std::isfinite(data.axes[i].q) || data.axes[i].sigma_q > 0) continue;
@@ -111,7 +97,7 @@ double log_variances_of_axes(const Dataset& data, std::span<const std::size_t> u
   return sum;
 }
 
-std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+std::vector<double> taken_off(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   std::vector<double> list = of_points(errors.expected, used);
   const RunDifferences& runs = errors.runs;
   for (std::size_t q = 0; q < runs.spreads.size(); ++q) {
@@ -122,14 +108,14 @@ std::vector<double> taken_off(const Dataset& data, std::span<const std::size_t> 
   return list;
 }
 
-std::optional<Decorrelation> neighbours_of(const Dataset& data, std::span<const std::size_t> used,
+std::optional<Decorrelation> neighbours_of(const Dataset& data, const PointIndices& used,
                                            const StandardErrors& errors) {
   if (!errors.correlations.any()) return std::nullopt;
   return Decorrelation(processes_of(data, used, of_points(errors.load_T, used), of_points(errors.load_A, used)),
                        {errors.correlations});
 }
 
-std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,
+std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, const PointIndices& used,
                                                 const StandardErrors& errors,
                                                 const std::optional<Decorrelation>& neighbours) {
   if (errors.runs.spreads.empty()) return std::nullopt;
@@ -142,7 +128,7 @@ std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<c
   return GroupWhitening(std::move(Z), as_vector(errors.runs.spreads), used_runs(data, used).groups);
 }
 
-std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
+std::shared_ptr<const Whitening> whitening_of(const Dataset& data, const PointIndices& used,
                                               const StandardErrors& errors) {
   auto neighbours = neighbours_of(data, used, errors);
   auto runs = whitening_of_runs(data, used, errors, neighbours);
@@ -150,9 +136,9 @@ std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<con
   return std::make_shared<Whitening>(std::move(neighbours), std::move(runs));
 }
 
-double log_variances(const Dataset& data, std::span<const std::size_t> used, const StandardErrors& errors) {
+double log_variances(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   double sum = 0;
-  for (const double ratio : variance_ratios(data, used, errors)) sum += std::log(ratio);
+  for (const std::size_t point : used) sum += std::log(variance_ratio(data, errors, point));
   const auto whitening = whitening_of(data, used, errors);
   return whitening ? sum + whitening->log_determinant() : sum;
 }

@@ -95,7 +95,7 @@ std::vector<double> add_parameters(const Problem& cost, const Verdict& verdict, 
 
 void add_resampled(const Problem& cost, const Verdict& verdict, const Dataset& data, const FitOptions& options,
                    const Progress& progress, FitResult& fit) {
-  if (verdict.status == FitStatus::not_converged) return;
+  if (verdict.status == FitStatus::not_converged || !(options.bootstrap.replicates > 0 || options.influence)) return;
   std::vector<std::size_t> runs;
   for (const std::size_t i : fit.used) runs.push_back(data.points[i].curve);
   if (options.bootstrap.replicates > 0) {

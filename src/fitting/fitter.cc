@@ -23,7 +23,7 @@ constexpr int kMostRestarts = 3;
 constexpr double kNearEnough = 1e-10;
 
 /// The number of distinct points, counted up to `enough`: repeated rows carry no information about errors.
-std::size_t distinct_points(const Dataset& data, const std::vector<std::size_t>& used, std::size_t enough) {
+std::size_t distinct_points(const Dataset& data, const PointIndices& used, std::size_t enough) {
   std::set<std::tuple<double, double, double>> distinct;
   for (const std::size_t i : used) {
     if (distinct.size() == enough) break;

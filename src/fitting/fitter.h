@@ -49,7 +49,8 @@ class Fitter {
   double log_size_of_areas() const;
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
-  std::optional<NearestPlaces> nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage) const;
+  std::optional<NearestPlaces> nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage,
+                                                     bool lean) const;
   std::optional<ErrorModels> estimated_errors(const NearestPlaces& nearest, const std::vector<double>& leverage,
                                               const ErrorModels& before, Stage stage,
                                               const std::vector<std::vector<double>>& own) const;

@@ -14,8 +14,7 @@ namespace {
 /// Covariances of the logarithms of the variances of T and of A, from the residuals of a fit; 0 for known ones. A
 /// residual has the variance load_T^2 + load_A^2 = 1, so each independent square contributes half the products of these
 /// parts to the information (Davidian & Carroll 1987, J. Am. Stat. Assoc. 82, 1079).
-Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const std::vector<std::size_t>& used, bool T,
-                                    bool A) {
+Eigen::Matrix2d covariance_of_sizes(const StandardErrors& errors, const PointIndices& used, bool T, bool A) {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   const Eigen::Vector2d independent{std::sqrt(independence(errors.correlations.second)),
                                     std::sqrt(independence(errors.correlations.first))};

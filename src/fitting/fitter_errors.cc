@@ -155,7 +155,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     // With millions of points each array counts, and these are found anew below.
     const bool lean = many && !errors.correlations.any();
     if (lean) drop({&errors.load_T, &errors.load_A});
-    auto nearest = nearest_and_leverages(x, leverage);
+    auto nearest = nearest_and_leverages(x, leverage, lean);
     if (lean && nearest) drop({&errors.place_T, &errors.place_A});
     auto expected = nearest ? static_cast<const CurveObjective&>(*problem_).expected(x, *nearest) : std::nullopt;
     if (!expected) return true;
@@ -310,13 +310,20 @@ bool Fitter::expects_distances(const std::vector<double>& x) {
   return true;
 }
 
-/// The nearest places, and the leverages of the data's residuals. Null where they are not defined.
-std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<double>& x,
-                                                           std::vector<double>& leverage) const {
+/// The nearest places, and the leverages of the data's residuals. Null where they are not defined. `lean`: the places
+/// may take the memory of those in the errors.
+std::optional<NearestPlaces> Fitter::nearest_and_leverages(const std::vector<double>& x, std::vector<double>& leverage,
+                                                           bool lean) const {
   constexpr std::size_t kPart = 1 << 15;
   const std::size_t n = prepared_.used.size(), rows = problem_->residual_count(), p = x.size();
   std::vector<double> jacobian(rows * p);
-  auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x, jacobian);
+  const auto& objective = static_cast<const CurveObjective&>(*problem_);
+  NearestPlaces from;
+  if (lean && prepared_.used.are_all(data_.points.size()) && !objective.has_places()) {
+    from.T = std::move(prepared_.errors->place_T);
+    from.A = std::move(prepared_.errors->place_A);
+  }
+  auto nearest = objective.nearest(x, jacobian, std::move(from));
   if (!nearest || x.empty()) {
     leverage.assign(n, 0.0);
     return nearest;
@@ -363,7 +370,7 @@ std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest
                                                     const std::vector<std::vector<double>>& own) const {
   constexpr double kLeast = 1e-9;      // of the largest reading: below any noise
   constexpr std::size_t kFewest = 12;  // points needed to distinguish the parts of their errors
-  const std::vector<std::size_t>& used = prepared_.used;
+  const PointIndices& used = prepared_.used;
   const StandardErrors& errors = *prepared_.errors;
   const bool all = used.size() == errors.T.size();
   const std::vector<double> some_T = all ? std::vector<double>() : of_points(errors.T, used),

@@ -26,7 +26,7 @@ bool Fitter::is_beyond(double most_misfit) const {
     cost->at(x, {}, at);
     if (!at.finite || at.value > before) return false;
     const auto exceeds = [&](double squares) {
-      return misfit(squares, variances, prepared_.used.size(), problem_->known_errors()) > most_misfit;
+      return misfit(squares, variances, problem_->residual_count(), problem_->known_errors()) > most_misfit;
     };
     const Eigen::VectorXd step = solve_symmetric(at.hessian, -at.gradient);
     const double fall = -at.gradient.dot(step);

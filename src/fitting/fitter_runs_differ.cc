@@ -150,11 +150,11 @@ void Fitter::test_runs(const std::vector<double>& x) {
   const bool curves = prepared_.objective == Objective::curve && data_.has_loads && prepared_.errors;
   const PointsByRun in_runs(data_, prepared_.used);
   if (!curves || in_runs.runs() < 2 || in_runs.runs() > kMostRuns || robust_) return;
-  auto nearest = static_cast<const CurveObjective&>(*problem_).nearest(x);
-  if (!nearest) return;
-  std::vector<double> residuals = std::move(nearest->residuals);
-  const std::vector<double> of_axes = std::move(nearest->axes);
-  nearest.reset();
+  std::vector<double> innovations(problem_->residual_count()), residuals;
+  if (!static_cast<const CurveObjective&>(*problem_).evaluate_both(x, innovations, residuals)) return;
+  const std::vector<double> of_axes(innovations.begin() + static_cast<std::ptrdiff_t>(residuals.size()),
+                                    innovations.end());
+  innovations = std::vector<double>();  // of millions of points each array counts
   const std::vector<double> off = taken_off(data_, prepared_.used, *prepared_.errors);
   for (std::size_t i = 0; i < off.size(); ++i) residuals[i] -= off[i];
   residuals.insert(residuals.end(), of_axes.begin(), of_axes.end());

@@ -50,10 +50,11 @@ std::vector<MeasuredAxes> measured_axes(const Dataset& data, const PreparedFit& 
 /// must outlive the result.
 MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
   struct Source final : PointSource {
-    Source(const Dataset& of, std::shared_ptr<const StandardErrors> with) : data(of), errors(std::move(with)) {}
+    Source(const Dataset& of, std::shared_ptr<const StandardErrors> with, PointIndices which)
+        : data(of), errors(std::move(with)), used(std::move(which)) {}
     const Dataset& data;
     std::shared_ptr<const StandardErrors> errors;
-    std::vector<std::size_t> used{};  // empty: all, in their order
+    PointIndices used;
     std::optional<PointPlaces> places{};
     std::vector<PointPlace> runs{};
     bool near = false;  // whether the places of the fit so far may be used
@@ -61,7 +62,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     bool has_near() const { return near && !errors->place_T.empty(); }
     bool has_places() const override { return places.has_value(); }
     void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
-      const bool all = used.empty(), reversed = !data.shear_reversed.empty(), places_known = has_near();
+      const bool all = used.are_first(), reversed = !data.shear_reversed.empty(), places_known = has_near();
       const std::size_t n = indices.size();
       for (std::size_t k = 0; k < n; ++k) {
         const Point& point = data.points[all ? indices[k] : used[indices[k]]];
@@ -79,7 +80,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
       places_known ? copy(errors->place_A, to.near_A) : set(0, to.near_A);
     }
     MeasuredPoint at(std::size_t k) const override {
-      const std::size_t i = used.empty() ? k : used[k];
+      const std::size_t i = used[k];
       const Point& p = data.points[i];
       MeasuredPoint point{p.P, data.shear_as_read(i), p.A, errors ? errors->T[i] : 1, errors ? errors->A[i] : 1};
       point.run = p.curve;
@@ -97,9 +98,8 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
       return point;
     }
   };
-  const auto shared = std::make_shared<Source>(data, prepared.errors);
+  const auto shared = std::make_shared<Source>(data, prepared.errors, prepared.used);
   Source& source = *shared;
-  if (!are_all(prepared.used, prepared.used.size())) source.used = prepared.used;
   source.near = data.points.size() >= kManyPoints && prepared.errors;
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
@@ -181,7 +181,7 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
 /// Standard errors of ln f (or f, divided by f) minus the model's, from those of T and A.
 std::vector<double> errors_of_loads(const Dataset& data, Scale scale, const PreparedFit& prepared,
                                     std::span<const double> p) {
-  const std::vector<std::size_t>& used = prepared.used;
+  const PointIndices& used = prepared.used;
   const std::size_t n = used.size();
   std::vector<double> P, T, A, value(n), by_P(n), by_T(n), by_A(n), by_parameter(n * p.size()), found;
   const Scales scales(data, prepared.constants);
@@ -221,7 +221,7 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
   } else if (prepared.objective == Objective::curve) {
     const StandardErrors none, &errors = prepared.errors ? *prepared.errors : none;
     // Of millions of points the list in the errors serves as it is.
-    const bool share = prepared.used.size() >= kManyPoints && are_all(prepared.used, errors.expected.size()) &&
+    const bool share = prepared.used.size() >= kManyPoints && prepared.used.are_all(errors.expected.size()) &&
                        options.by_run.empty() && !errors.runs.any() && !errors.correlations.any();
     auto objective = std::make_unique<CurveObjective>(
         measured_points(data, prepared), free_choice(data, prepared),
@@ -288,8 +288,9 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
       told.push_back(k);
       unsheared.fitted.push_back(prepared.fitted[k]);
     }
-  std::erase_if(unsheared.used,
-                [&](std::size_t i) { return data.corrected(i, scales.of(i)).shear() > 0.01 * largest; });
+  unsheared.used = PointIndices();
+  for (const std::size_t i : prepared.used)
+    if (!(data.corrected(i, scales.of(i)).shear() > 0.01 * largest)) unsheared.used.push_back(i);
   if (told.empty() || unsheared.used.size() < told.size()) return start;
   SolverOptions solver;
   solver.engine = Engine::kernel;

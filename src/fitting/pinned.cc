@@ -59,10 +59,10 @@ class AreasOfRun {
 };
 
 /// The points that a robust loss does not treat as outliers.
-std::vector<std::size_t> without_outliers(const FitResult& fit) {
+PointIndices without_outliers(const FitResult& fit) {
   constexpr double kFar = 4;  // standard errors of a residual
   const double most = kFar * spread(fit.innovations);
-  std::vector<std::size_t> points;
+  PointIndices points;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
     if (std::abs(fit.innovations[i]) <= most) points.push_back(fit.used[i]);
   return points;
@@ -70,7 +70,7 @@ std::vector<std::size_t> without_outliers(const FitResult& fit) {
 
 /// Whether the fitted curves describe the areas better than one area per run, by more than such autocorrelated noise
 /// can. The fall is steepest next to the jump, where no simple trend detects it.
-bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const double> residuals) {
+bool fall_as_fitted(const Dataset& data, const FitResult& fit, const std::function<double(std::size_t)>& residual) {
   if (fit.objective != Objective::curve || !fit.errors || fit.errors->A.empty()) return false;
   const auto weight = [&](std::size_t i) { return 1 / std::pow(fit.errors->A[fit.used[i]], 2); };
   double excess = 0;
@@ -84,7 +84,7 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
     }
     for (std::size_t k = 0; k < runs.size(g); ++k) {
       const std::size_t i = runs.at(g, k);
-      excess += weight(i) * std::pow(data.points[fit.used[i]].A - mean, 2) - residuals[i] * residuals[i];
+      excess += weight(i) * std::pow(data.points[fit.used[i]].A - mean, 2) - std::pow(residual(i), 2);
     }
   }
   const double worth = independent_points(fit) / static_cast<double>(fit.used.size());
@@ -93,7 +93,7 @@ bool fall_as_fitted(const Dataset& data, const FitResult& fit, std::span<const d
 
 }  // namespace
 
-bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::span<const double> sigma_A) {
+bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const double> sigma_A) {
   constexpr double kEnough = 5, kEnoughInAll = 10;  // points in a run; degrees of freedom in all
   double lines = 0, freedom = 0, slopes = 0, sizes = 0, falls = 0, squares = 0, products = 0;
   const PointsByRun runs(data, used);
@@ -122,11 +122,11 @@ bool areas_stay(const Dataset& data, std::span<const std::size_t> used, std::spa
   return !(falls > 0) || fisher_p_value(falls / lines / variance, lines, freedom) >= kChance;
 }
 
-bool is_pinned(const Dataset& data, const FitResult& fit, std::span<const double> residuals) {
+bool is_pinned(const Dataset& data, const FitResult& fit, const std::function<double(std::size_t)>& residual) {
   const bool robust = fit.loss_scale > 0 && fit.innovations.size() == fit.used.size();
   const std::span<const double> sigma_A = fit.errors ? fit.errors->A : std::span<const double>();
   const bool stay = robust ? areas_stay(data, without_outliers(fit), sigma_A) : areas_stay(data, fit.used, sigma_A);
-  return stay && !fall_as_fitted(data, fit, residuals);
+  return stay && !fall_as_fitted(data, fit, residual);
 }
 
 }  // namespace mixity

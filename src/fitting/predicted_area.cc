@@ -1,6 +1,7 @@
 #include "fitting/predicted_area.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "fitting/stated_constants.h"
@@ -93,8 +94,8 @@ void each_area(const ContactModel& model, const Candidate& candidate, std::size_
 
 /// The same for points of a data set.
 template <class Take>
-void each_area(const ContactModel& model, const Candidate& candidate, const Dataset& data,
-               const std::vector<std::size_t>& points, const Take& take) {
+void each_area(const ContactModel& model, const Candidate& candidate, const Dataset& data, const PointIndices& points,
+               const Take& take) {
   const Scales scales(data, candidate.constants);
   const auto reading = [&](std::size_t i) {
     return std::pair(data.points[points[i]].P, data.shear_as_read(points[i]));
@@ -116,7 +117,7 @@ std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Cand
 }
 
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
-                                           const std::vector<std::size_t>& points) {
+                                           const PointIndices& points) {
   std::vector<PredictedArea> areas(points.size());
   each_area(model, candidate, data, points, [&](std::size_t i, const PredictedArea& area) { areas[i] = area; });
   return areas;
@@ -158,11 +159,11 @@ Goodness goodness(std::span<const double> residuals, std::span<const double> tar
       [&](std::size_t i) { return weights.empty() ? 1.0 : weights[i]; }, [](std::size_t) { return true; });
 }
 
-AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
+AreaGoodness area_goodness(const Dataset& data, const PointIndices& used, const ContactModel& model,
                            const Candidate& candidate) {
   AreaGoodness area;
   area.obstacle = model.obstacle(candidate.parameters);
-  area.areas.resize(used.size());
+  area.areas.resize(used.size(), std::numeric_limits<double>::quiet_NaN());
   each_area(model, candidate, data, used, [&](std::size_t i, const PredictedArea& predicted) {
     if (predicted.state == PredictedArea::State::equilibrium)
       area.areas[i] = predicted.value;
@@ -174,9 +175,9 @@ AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& 
   const auto measured = [&](std::size_t i) { return data.points[used[i]].A; };
   const double scale = data.display.area_scale;
   const Goodness fit = goodness_of(
-      used.size(), [&](std::size_t i) { return (*area.areas[i] - measured(i)) * scale; },
+      used.size(), [&](std::size_t i) { return (area.areas[i] - measured(i)) * scale; },
       [&](std::size_t i) { return measured(i) * scale; }, [](std::size_t) { return 1.0; },
-      [&](std::size_t i) { return area.areas[i].has_value(); });
+      [&](std::size_t i) { return area.predicts(i); });
   area.r2 = fit.r2;
   area.rmse = fit.rmse;
   area.max_abs_residual = fit.max_abs_residual;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fitting/model_problem.h"
+#include "fitting/point_indices.h"
 #include "fitting/result.h"
 
 namespace mixity {
@@ -33,7 +34,7 @@ std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Cand
 
 /// The same at these points of a data set.
 std::vector<PredictedArea> predicted_areas(const ContactModel& model, const Candidate& candidate, const Dataset& data,
-                                           const std::vector<std::size_t>& points);
+                                           const PointIndices& points);
 
 struct Goodness {
   std::optional<double> r2;  // null if the targets do not vary or are fewer than two
@@ -46,7 +47,7 @@ Goodness goodness(std::span<const double> residuals, std::span<const double> tar
                   std::span<const double> weights = {});
 
 /// The goodness of the predicted areas at the points that a fit used.
-AreaGoodness area_goodness(const Dataset& data, const std::vector<std::size_t>& used, const ContactModel& model,
+AreaGoodness area_goodness(const Dataset& data, const PointIndices& used, const ContactModel& model,
                            const Candidate& candidate);
 
 }  // namespace mixity

@@ -109,7 +109,6 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
     else
       prepared.excluded.push_back({data.points[i].line, reason});
   };
-  prepared.used.reserve(points ? points->size() : data.points.size());
   if (points)
     for (const std::size_t i : *points) consider(i);
   else

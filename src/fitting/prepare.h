@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fitting/model_problem.h"
+#include "fitting/point_indices.h"
 #include "fitting/result.h"
 #include "fitting/stated_constants.h"
 #include "mechanics/contact_model.h"
@@ -18,7 +19,7 @@ namespace mixity {
 struct PreparedFit {
   ContactModel model;
   Objective objective;
-  std::vector<std::size_t> used{};                       // indices into Dataset::points
+  PointIndices used{};
   std::vector<Excluded> excluded{};                      // points that this model cannot describe
   std::shared_ptr<const std::string> excluded_reason{};  // owns the text that `excluded` refers to
   ParameterValues base{};                                // held values; typical ones for the other parameters

@@ -11,6 +11,7 @@
 
 #include "dataset/dataset.h"
 #include "fitting/options.h"
+#include "fitting/point_indices.h"
 #include "fitting/standard_errors.h"
 #include "solver/results.h"
 
@@ -57,9 +58,11 @@ struct AreaGoodness {
   std::optional<double> r2;  // null if fewer than two points are predicted or all areas are equal
   double rmse = 0, max_abs_residual = 0;
   std::size_t predicted = 0;
-  std::size_t unpredicted = 0;               // points beyond the last equilibrium of the fitted model
-  std::vector<std::optional<double>> areas;  // per used point, dimensionless; null where unpredicted
-  std::string_view obstacle{};               // why the law defines no area with these parameters; else empty
+  std::size_t unpredicted = 0;  // points beyond the last equilibrium of the fitted model
+  std::vector<double> areas;    // per used point, dimensionless; NaN where unpredicted
+  std::string_view obstacle{};  // why the law defines no area with these parameters; else empty
+
+  bool predicts(std::size_t i) const { return !std::isnan(areas[i]); }
 };
 
 /// The paper's fit of the same data: ln(Gc/GIc) against psi, all points with the same weight.
@@ -212,7 +215,7 @@ struct FitResult {
   FitStatus status = FitStatus::not_converged;
   Message message;
   std::vector<FittedParameter> parameters;
-  std::vector<std::size_t> used;                         // indices into Dataset::points
+  PointIndices used;
   std::vector<Excluded> excluded;                        // usable points that this model cannot describe
   std::shared_ptr<const std::string> excluded_reason{};  // owns the text that `excluded` refers to
   std::optional<double> r2;                              // in the fitted space; null without scatter or without a fit

@@ -10,7 +10,7 @@
 #include "statistics/distributions.h"
 
 namespace mixity {
-UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used) {
+UsedRuns used_runs(const Dataset& data, const PointIndices& used) {
   Groups all(data.curves.size());
   std::vector<std::size_t> sizes(all.size());
   for (const std::size_t i : used) ++sizes[data.points[i].curve];
@@ -25,7 +25,7 @@ UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used) {
   return list;
 }
 
-PointsByRun::PointsByRun(const Dataset& data, std::span<const std::size_t> used) : begins_{0} {
+PointsByRun::PointsByRun(const Dataset& data, const PointIndices& used) : begins_{0} {
   const auto run_of = [&](std::size_t i) { return data.points[used[i]].curve; };
   std::vector<std::size_t> next(std::max<std::size_t>(data.curves.size(), 1));
   bool sorted = true;

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "fitting/point_indices.h"
 #include "fitting/prepare.h"
 #include "solver/random_effects.h"
 
@@ -17,12 +17,12 @@ struct UsedRuns {
   Groups groups;
   std::vector<std::size_t> runs;  // index into Dataset::curves of each
 };
-UsedRuns used_runs(const Dataset& data, std::span<const std::size_t> used);
+UsedRuns used_runs(const Dataset& data, const PointIndices& used);
 
 /// The same for many points: needs no memory for them where the runs follow one another as they are numbered.
 class PointsByRun {
  public:
-  PointsByRun(const Dataset& data, std::span<const std::size_t> used);
+  PointsByRun(const Dataset& data, const PointIndices& used);
   std::size_t runs() const { return runs_.size(); }
   std::size_t run(std::size_t g) const { return runs_[g]; }  // index into Dataset::curves
   std::size_t size(std::size_t g) const { return begins_[g + 1] - begins_[g]; }

@@ -19,35 +19,44 @@ namespace {
 /// noise.
 class Slopes {
  public:
-  Slopes(const Dataset& data, const std::vector<std::size_t>& run) : sums_(run.size() + 1) {
-    for (const std::size_t i : run) T_.push_back(data.points[i].shear());
-    const double T0 = T_[T_.size() / 2], A0 = data.points[run[run.size() / 2]].A;  // differences keep digits
-    for (std::size_t k = 0; k < run.size(); ++k) {
-      const double T = T_[k] - T0, A = data.points[run[k]].A - A0;
-      const Sums& before = sums_[k];
-      sums_[k + 1] = {before.T + T, before.A + A, before.TT + T * T, before.TA + T * A};
-    }
-  }
+  /// Both arguments must outlive this object.
+  Slopes(const Dataset& data, const std::vector<std::size_t>& run) : data_(data), run_(run) {}
 
   /// Each k must be at least as large as the one before.
   double at(std::size_t k) {
-    const std::size_t beside = T_.size() / 20;
-    const double reach = (T_.back() - T_.front()) / 20;
-    while (T_[begin_] < T_[k] - reach) ++begin_;
-    while (end_ < T_.size() && T_[end_] <= T_[k] + reach) ++end_;
+    const std::size_t n = run_.size(), beside = n / 20;
+    const double reach = (T(n - 1) - T(0)) / 20;
+    while (T(begin_) < T(k) - reach) ++begin_;
+    while (end_ < n && T(end_) <= T(k) + reach) ++end_;
     const std::size_t first = std::min(begin_, k - std::min(k, beside)), last = std::max(end_, k + beside + 1);
-    const Sums &low = sums_[first - std::min<std::size_t>(first, 1)], &high = sums_[std::min(last + 1, T_.size())];
-    const auto n = static_cast<double>(&high - &low);
-    const double T = high.T - low.T, A = high.A - low.A, spread = high.TT - low.TT - T * T / n;
-    return spread > 0 ? (high.TA - low.TA - T * A / n) / spread : 0;
+    extend(first - std::min<std::size_t>(first, 1), low_);
+    extend(std::min(last + 1, n), high_);
+    const auto points = static_cast<double>(high_.points - low_.points);
+    const double sum_T = high_.T - low_.T, sum_A = high_.A - low_.A,
+                 spread = high_.TT - low_.TT - sum_T * sum_T / points;
+    return spread > 0 ? (high_.TA - low_.TA - sum_T * sum_A / points) / spread : 0;
   }
 
  private:
   struct Sums {
+    std::size_t points = 0;  // the first of the run
     double T = 0, A = 0, TT = 0, TA = 0;
   };
-  std::vector<double> T_;
-  std::vector<Sums> sums_;  // of the points before each one
+  double T(std::size_t k) const { return data_.points[run_[k]].shear(); }
+  void extend(std::size_t points, Sums& sums) const {
+    const Point& middle = data_.points[run_[run_.size() / 2]];  // differences from it keep digits
+    for (; sums.points < points; ++sums.points) {
+      const double t = T(sums.points) - middle.shear(), a = data_.points[run_[sums.points]].A - middle.A;
+      sums.T += t;
+      sums.A += a;
+      sums.TT += t * t;
+      sums.TA += t * a;
+    }
+  }
+
+  const Dataset& data_;
+  const std::vector<std::size_t>& run_;
+  Sums low_, high_;
   std::size_t begin_ = 0, end_ = 0;
 };
 

@@ -68,14 +68,17 @@ ToughnessObjective::ToughnessObjective(const std::vector<ToughnessPoint>& points
   weights_ = std::move(weights);
   weights_.resize(points.size(), 1.0);
   targets_.reserve(points.size());
-  mixities_.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i)
     targets_.push_back(weights_[i] * (scale_ == Scale::log ? std::log(points[i].ratio) : points[i].ratio));
-    mixities_.push_back(points[i].mixity);
+  const bool packs = scale_ == Scale::log && model().has_packed_form();
+  for (std::vector<double>* const list : {&packed_.first, &packed_.second}) list->reserve(packs ? points.size() : 0);
+  mixities_.reserve(packs ? kChunk : points.size());
+  for (const ToughnessPoint& point : points) {
+    mixities_.push_back(point.mixity);
+    if (!packs || (mixities_.size() < kChunk && &point != &points.back())) continue;
+    model().pack(mixities_, packed_);  // in pieces, as a second list of millions of points would count
+    mixities_.clear();
   }
-  if (scale_ != Scale::log || !model().has_packed_form()) return;
-  packed_ = model().packed(mixities_);
-  if (is_packed()) mixities_ = std::vector<Mixity<double>>();  // frees their memory
 }
 
 double ToughnessObjective::data_norm() const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "fitting/point_indices.h"
 #include "fitting/standard_errors.h"
 #include "solver/random_effects.h"
 #include "statistics/autoregression.h"
@@ -34,12 +35,12 @@ class Whitening {
 };
 
 /// Whitens quantities that are fitted by run, after decorrelating their columns by `neighbours`; null without any.
-std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, std::span<const std::size_t> used,
+std::optional<GroupWhitening> whitening_of_runs(const Dataset& data, const PointIndices& used,
                                                 const StandardErrors& errors,
                                                 const std::optional<Decorrelation>& neighbours);
 
 /// Null if the residuals are independent.
-std::shared_ptr<const Whitening> whitening_of(const Dataset& data, std::span<const std::size_t> used,
+std::shared_ptr<const Whitening> whitening_of(const Dataset& data, const PointIndices& used,
                                               const StandardErrors& errors);
 
 }  // namespace mixity

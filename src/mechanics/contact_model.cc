@@ -102,19 +102,14 @@ bool ContactModel::has_packed_form() const {
   return !law_->ellipse && with_law(*law_, []<class Law>(const Law&) { return HasPackedForm<Law>; });
 }
 
-PackedMixities ContactModel::packed(std::span<const Mixity<double>> at) const {
-  return with_law(*law_, [&]<class Law>([[maybe_unused]] const Law& law) {
-    PackedMixities points;
-    if constexpr (HasPackedForm<Law>) {
-      points.first.reserve(at.size());
-      points.second.reserve(at.size());
+void ContactModel::pack(std::span<const Mixity<double>> at, PackedMixities& packed) const {
+  with_law(*law_, [&]<class Law>([[maybe_unused]] const Law& law) {
+    if constexpr (HasPackedForm<Law>)
       for (const Mixity<double>& mixity : at) {
         const PackedPoint<double> point = law.packed_point(mixity);
-        points.first.push_back(point.first);
-        points.second.push_back(point.second);
+        packed.first.push_back(point.first);
+        packed.second.push_back(point.second);
       }
-    }
-    return points;
   });
 }
 

@@ -154,7 +154,8 @@ class ContactModel {
                      std::span<double> gradient) const;
   /// Whether the model has a vectorised loop for ln f; it then has one parameter.
   bool has_packed_form() const;
-  PackedMixities packed(std::span<const Mixity<double>> at) const;
+  /// Appends points to packed ones; leaves them without such a loop.
+  void pack(std::span<const Mixity<double>> at, PackedMixities& packed) const;
   /// ln f, its slope and its curvature in the parameter, at n points from number `begin` on. The absolute error of ln f
   /// is a few eps.
   void packed_log_toughness(double parameter, const PackedMixities& at, std::size_t begin, std::size_t n, double* value,

@@ -119,8 +119,8 @@ std::string residuals(const Dataset* alone, std::span<const Analysis> results) {
   table.of_loads("T", &DisplayUnits::force, measured(&Point::T, &DisplayUnits::force_scale));
   table.of_loads("A", &DisplayUnits::area, measured(&Point::A, &DisplayUnits::area_scale));
   table.of_loads("A_predicted", &DisplayUnits::area, [](const ResidualRow& row) {
-    const auto predicted = row.fit->area ? row.fit->area->areas[row.index] : std::nullopt;
-    return predicted ? std::optional(*predicted * row.data->display.area_scale) : std::nullopt;
+    const bool predicted = row.fit->area && row.fit->area->predicts(row.index);
+    return predicted ? std::optional(row.fit->area->areas[row.index] * row.data->display.area_scale) : std::nullopt;
   });
   table.units();
   for (const Analysis& result : results)

@@ -17,8 +17,7 @@ namespace {
 /// sums: the result does not depend on how many threads there are, and no array has all rows.
 class GeneralCost final : public Cost {
  public:
-  explicit GeneralCost(const Problem& problem)
-      : problem_(problem), parts_(problem.parts()), memories_(parts_ > 1 ? parts_ : 0) {}
+  explicit GeneralCost(const Problem& problem) : problem_(problem), parts_(problem.parts()) {}
 
   void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
     clear(x.size(), cost);
@@ -32,11 +31,11 @@ class GeneralCost final : public Cost {
 
   void keep() override {
     kept_ = memory_;
-    kept_memories_ = memories_;
+    kept_of_parts_ = memory_of_parts_;
   }
   void restore() override {
     memory_ = kept_;
-    memories_ = kept_memories_;
+    memory_of_parts_ = kept_of_parts_;
   }
 
  private:
@@ -50,13 +49,14 @@ class GeneralCost final : public Cost {
 
   void sum_parts(std::span<const double> x, CostValue& cost) {
     std::vector<CostValue> sums(parts_);
+    memory_of_parts_.resize(problem_.memory_of_parts(), 0.0);
     std::atomic<std::size_t> next = 0;
     run_on_idle_processors(parts_, [&] {
       std::vector<double> residuals, jacobian;
       for (std::size_t part; (part = next++) < parts_;) {
         CostValue& one = sums[part];
         clear(x.size(), one);
-        one.finite = problem_.evaluate_part_again(part, x, residuals, jacobian, memories_[part]);
+        one.finite = problem_.evaluate_part_again(part, x, residuals, jacobian, memory_of_parts_);
         if (one.finite) sum(residuals, jacobian, {}, one);
       }
     });
@@ -66,8 +66,7 @@ class GeneralCost final : public Cost {
       cost.hessian += one.hessian;
       cost.finite &= one.finite;
     }
-    if (!cost.finite)  // how far other blocks had come may depend on the threads
-      for (std::vector<double>& memory : memories_) memory.clear();
+    if (!cost.finite) memory_of_parts_.clear();  // how far other blocks had come may depend on the threads
     finish(cost);
   }
 
@@ -126,7 +125,7 @@ class GeneralCost final : public Cost {
   const Problem& problem_;
   std::size_t parts_;
   std::vector<double> residuals_, jacobian_, memory_, kept_;
-  std::vector<std::vector<double>> memories_, kept_memories_;  // of the parts
+  std::vector<double> memory_of_parts_, kept_of_parts_;  // one array: many pieces of several threads are hard to free
 };
 
 }  // namespace

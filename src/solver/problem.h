@@ -90,9 +90,12 @@ class Problem {
     jacobian.resize(residual_count() * x.size());
     return evaluate(x, residuals, jacobian);
   }
-  /// The same with the memory of this part, as evaluate_again has it. Several threads may evaluate different parts.
+  /// How many numbers evaluate_part_again stores for all parts.
+  virtual std::size_t memory_of_parts() const { return 0; }
+  /// The same with intermediate results, as evaluate_again has them: `memory` is that of all parts, and 0 at first.
+  /// Several threads may evaluate different parts.
   virtual bool evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
-                                   std::vector<double>& jacobian, std::vector<double>& /* memory */) const {
+                                   std::vector<double>& jacobian, std::span<double> /* memory */) const {
     return evaluate_part(part, x, residuals, jacobian);
   }
   /// For the search for starts: cheap residuals, right to about a factor of two. Some points, always the same, may be

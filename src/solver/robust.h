@@ -27,6 +27,7 @@ class RobustProblem final : public WrappedProblem {
   std::size_t scan_density(std::size_t searched) const override { return searched == 1 ? 512 : searched == 2 ? 16 : 8; }
 
   std::size_t parts() const override { return problem_.parts(); }
+  std::size_t memory_of_parts() const override { return problem_.memory_of_parts(); }
   bool evaluate_part(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                      std::vector<double>& jacobian) const override {
     if (!problem_.evaluate_part(part, x, residuals, jacobian)) return false;
@@ -34,7 +35,7 @@ class RobustProblem final : public WrappedProblem {
     return true;
   }
   bool evaluate_part_again(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
-                           std::vector<double>& jacobian, std::vector<double>& memory) const override {
+                           std::vector<double>& jacobian, std::span<double> memory) const override {
     if (!problem_.evaluate_part_again(part, x, residuals, jacobian, memory)) return false;
     change(x, residuals, jacobian);
     return true;

@@ -15,7 +15,7 @@ FitResult finished(std::size_t n, std::size_t parameters, double sum_of_squares,
   FitResult fit;
   fit.status = FitStatus::ok;
   fit.parameters = {{"lambda", 0.3, 0.01, 0, 1}};
-  fit.used.resize(n);
+  fit.used = PointIndices(n);
   fit.residuals.resize(n);
   fit.free_parameters = parameters;
   fit.sum_of_squares = sum_of_squares;
@@ -89,7 +89,7 @@ TEST(Comparison, LeavesOutModelsFittedToOtherPoints) {
   Dataset data = noisy(2);
   std::vector<FitResult> fits;
   for (const char* model : {"c", "b"}) fits.push_back(fit_model(data, model, curve_options()));
-  fits[1].used.pop_back();
+  fits[1].used = PointIndices(fits[1].used.size() - 1);
   const auto compared = compare_models(data, fits, curve_options());
   EXPECT_EQ(*compared[0].weight, 1);
   EXPECT_FALSE(compared[1].weight);

@@ -76,6 +76,17 @@ TEST(ManyPoints, HaveTheSameNearestPlacesWhereverTheSearchBegins) {
     for (std::size_t i = 0; i < data.points.size(); ++i)
       largest = std::max(largest, std::abs(seen->residuals[i] - blind->residuals[i]));
     EXPECT_LT(largest, 1e-9) << off;  // rounding of readings of some 100 errors, where Newton's method ends
+    // places that are handed over serve as those in the errors do, to the last bit
+    NearestPlaces from;
+    from.T = std::exchange(prepared.errors->place_T, {});
+    from.A = std::exchange(prepared.errors->place_A, {});
+    const auto bare = make_problem(data, options, prepared);
+    const auto taken = static_cast<const CurveObjective&>(*bare).nearest(x, {}, std::move(from));
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->residuals, seen->residuals);
+    EXPECT_EQ(taken->T, seen->T);
+    EXPECT_EQ(taken->A, seen->A);
+    EXPECT_EQ(taken->load_A, seen->load_A);
   }
 }
 
@@ -93,7 +104,7 @@ TEST(ManyPoints, HaveTheResidualsOfFewOnesWhereverTheyStand) {
   ASSERT_TRUE(make_problem(data, options, many)->evaluate(x, residuals, {}));
   for (std::size_t i = 0; i < most.size(); i += 100) some.push_back(i);
   PreparedFit few = many;
-  few.used.clear();
+  few.used = PointIndices();
   for (const std::size_t i : some) few.used.push_back(most[i]);
   std::vector<double> same(some.size());
   ASSERT_TRUE(make_problem(data, options, few)->evaluate(x, same, {}));

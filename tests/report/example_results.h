@@ -31,7 +31,7 @@ inline Analysis example(FitStatus status) {
   fit.formula = "f = 1/(1 + (lambda-1) sin^2(psi))";
   fit.status = status;
   fit.parameters = {{"lambda", 0.0023456789, 1.2345e-5, 0, 1}};
-  fit.used.resize(40);
+  fit.used = PointIndices(40);
   fit.r2 = 0.99990826;
   fit.rmse = 0.01541;
   fit.max_abs_residual = 0.0539;

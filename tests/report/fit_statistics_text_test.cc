@@ -34,7 +34,7 @@ Analysis example() {
   fit.parameters[0].interval = found(0.00232134, 0.00237089);
   fit.parameters[1].interval = found(0.0269123, 0.0270401);
   fit.parameters[1].unit = "J/m^2";
-  fit.used.resize(40);
+  fit.used = PointIndices(40);
   fit.free_parameters = 2;
   fit.correlations = {1, 0.7361, 0.7361, 1};
   fit.sum_of_squares = 41.2;
