@@ -1,4 +1,5 @@
 // mixity simulate: a simulated experiment, as a data set.
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -20,13 +21,21 @@ int run_simulate(const Arguments& arguments) {
   const Plan plan = plan_from_flags(true, {.bytes = 300, .most = 10000000});
   const Dataset data = simulate(plan, count_from("seed", 0), count_from("index", 0));
   std::ostringstream table;
-  table << "curve,P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]\n";
+  table << "curve,P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]"
+        << (data.axes.empty() ? "" : ",a_par [mm],a_perp [mm],sigma_a_par [mm],sigma_a_perp [mm]") << '\n';
   const double force = data.display.force_scale, area = data.display.area_scale;
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& point = data.points[i];
     table << csv_field(data.curves[point.curve]) << ',' << shortest(point.P * force) << ',' << shortest(point.T * force)
           << ',' << shortest(point.A * area) << ',' << shortest(data.errors[i].T * force) << ','
-          << shortest(data.errors[i].A * area) << '\n';
+          << shortest(data.errors[i].A * area);
+    if (!data.axes.empty()) {
+      const double mean = std::sqrt(point.A * area / pi<double>()), ratio = std::exp(0.5 * data.axes[i].q),
+                   share = data.axes[i].sigma_q / std::sqrt(2.0);
+      for (const double axis : {mean * ratio, mean / ratio}) table << ',' << shortest(axis);
+      for (const double axis : {mean * ratio, mean / ratio}) table << ',' << shortest(axis * share);
+    }
+    table << '\n';
   }
   if (FLAGS_out.empty()) {
     std::cout << table.str();

@@ -21,8 +21,8 @@ Flags with_metadata_flags(Flags flags) {
 }
 
 Flags with_plan_flags(Flags flags) {
-  flags.insert(flags.end(),
-               {"model", "lambda", "parameters", "loads", "points", "reach", "sigma_T", "sigma_A", "seed"});
+  flags.insert(flags.end(), {"model", "lambda", "lambda_II", "lambda_III", "parameters", "loads", "points", "reach",
+                             "sigma_T", "sigma_A", "seed"});
   return with_metadata_flags(with_law_flags(std::move(flags)));
 }
 

@@ -165,6 +165,7 @@ void require_contact(const ContactModel& model, const ParameterValues& p, double
 
 ParameterValues parameters_from_flags(const ContactModel& model, std::optional<std::size_t> except) {
   Texts given = parameter_texts();
+  if (model.is_elliptic() && is_set(kPoissonRatio)) given.emplace(kPoissonRatio, value_of(kPoissonRatio));
   ParameterValues p = taken_from(given, model, "", except);
   if (except && given.contains(std::string(model.parameters()[*except].name)))
     throw UsageError("parameter " + std::string(model.parameters()[*except].name) +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/contact_shape.h"
 #include "base/number_text.h"
 #include "cli/contact_flags.h"
 #include "cli/flags.h"
@@ -28,10 +29,13 @@ void require_affordable(const Plan& plan, const PointCost& cost) {
 
 Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   Plan plan;
-  const ParameterValues p = parameters_from_flags(model_from(FLAGS_model));
+  Overrides constants = data_overrides();
   plan.model = FLAGS_model;
+  if (std::erase_if(constants, [](const auto& one) { return one.first == "shape" && means_ellipse(one.second); }) > 0)
+    plan.model += kEllipse;
+  const ParameterValues p = parameters_from_flags(model_from(plan.model));
   plan.parameters.assign(p.begin(), p.end());
-  plan.constants = stated_by(data_overrides());
+  plan.constants = stated_by(constants);
   if (is_set("loads"))
     for (const Quantity& load : quantities_from("loads")) {
       if (load.unit.dimension != dimension::force) throw refused("loads", "a load needs a unit such as mN");

@@ -253,7 +253,7 @@ void Collector::add_note_on_axes() {
                      rounded(eccentricity, 3) + ") at most";
   if (largest_axes_ > 1) note += ", in line " + std::to_string(line_of_largest_);
   if (largest_axes_ > kNearlyRound)
-    note += "; around such an edge the energy release rate of a circle's models varies by about " +
+    note += "; the models are of a circle, and around such an edge the energy release rate varies by about " +
             rounded(100 * (largest_axes_ - 1), 2) + "%";
   if (columns().has(ColumnId::major) && !columns().has(ColumnId::angle))
     note += "; without the column 'angle' the major axis is taken to lie across the shear";

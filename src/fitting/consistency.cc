@@ -1,4 +1,5 @@
 #include "fitting/consistency.h"
+#include "fitting/circle_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -272,6 +273,7 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
+  result.circle = test_circle(data, fit);
   result.pinned = data.has_loads && is_pinned(data, fit, [&](std::size_t i) { return unexpected(fit, i); });
   return result;
 }

@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "base/units.h"
 #include "fitting/causes.h"
+#include "fitting/circle_test.h"
 #include "fitting/consistency.h"
 #include "statistics/distributions.h"
 
@@ -97,6 +98,9 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (fit.consistency && fit.consistency->pinned)
     return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
            "runs do not determine the parameters";
+  if (is_no_circle(fit))
+    return "the contact is no circle: a/b changes to " + rounded(fit.consistency->circle->ratio, 3) +
+           " of its value without shear; " + Remedy::set("shape", "ellipse") + " fits both axes";
   if (const ExactConstant* wrong = wrong_constant(fit)) {
     const ReadableUnit shown = readable_unit(wrong->score->value, wrong->unit);
     return wrong->constant + " looks wrong: near " + rounded(wrong->score->value * shown.factor, 2) +

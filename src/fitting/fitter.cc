@@ -65,8 +65,8 @@ FitResult Fitter::run() {
     return finished();
   }
   const bool as_the_paper = purpose_ == Purpose::shown || (some && starting_.near.empty());
-  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper && !prepared_.model.is_elliptic())
-    fit_as_the_paper();
+  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper)
+    prepared_.model.is_elliptic() ? start_at_circles() : fit_as_the_paper();
   // rough fractions of the time: until the minimum, and until the resampling
   const double found = options_.profile_points > 0 ? 0.1 : 0.4,
                fitted = options_.bootstrap.replicates > 0 || options_.influence ? 0.1 : 1;
@@ -90,7 +90,8 @@ FitResult Fitter::run() {
   if (!some) {
     result_.known_errors = problem_->known_errors();
     for (const double r : result_.innovations) result_.sum_of_squares += r * r;
-    for (const double r : result_.axes_residuals) result_.sum_of_squares += r * r;
+    for (const double r : result_.axes_residuals)
+      if (std::isfinite(r)) result_.sum_of_squares += r * r;
   }
   suspect_wide_errors();
   if (checked()) test_residuals(x);
@@ -197,6 +198,39 @@ void Fitter::fit_as_the_paper() {
   result_.paper = {fit.status, fit.parameters, fit.r2, fit.used.size()};
   if (const std::vector<double> x = solver_values(*problem_, fit.parameters); !x.empty())
     starting_.guesses.push_back(x);
+}
+
+/// Starts at couplings above and below that of a circle. Areas alone hardly tell which mode has the larger one.
+void Fitter::start_at_circles() {
+  constexpr double kRatio = 1.4;
+  const std::size_t n = prepared_.model.parameters().size(), half = (n - 1) / 2;
+  const auto circle = ContactModel::find(result_.model.substr(0, result_.model.find(kEllipse)));
+  if (!circle || n != 2 * half + 1) return;
+  FitOptions options = value_only({});
+  options.constants = prepared_.constants;
+  options.fitted_errors = false;
+  options.sigma_T = options_.sigma_T;
+  options.sigma_A = options_.sigma_A;
+  const FitResult fit = Fitter(data_, *circle, options, Purpose::values, points_, nullptr).run();
+  if (!has_minimum(fit)) return;
+  const double per_coupling = 1 / (1 - prepared_.base[n - 1]);
+  for (const double ratio : {kRatio, 1 / kRatio}) {
+    std::vector<FittedParameter> guess;
+    for (std::size_t k = 0; k < n; ++k) {
+      FittedParameter& one = guess.emplace_back(result_.parameters[k]);
+      if (k + 1 == n) {
+        one.value = prepared_.base[k];
+        continue;
+      }
+      const double of_circle = *fit.parameters[k % half].value;
+      const bool first = k % half == 0;
+      one.value = std::clamp(of_circle * (!first   ? 1
+                                          : k == 0 ? ratio
+                                                   : 1 / (ratio * per_coupling)),
+                             one.lower, one.upper);
+    }
+    if (const std::vector<double> x = solver_values(*problem_, guess); !x.empty()) starting_.guesses.push_back(x);
+  }
 }
 
 Verdict Fitter::find_minimum() {

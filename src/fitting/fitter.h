@@ -40,6 +40,7 @@ class Fitter {
   void report_progress(double fraction) const;
   void describe();
   void fit_as_the_paper();
+  void start_at_circles();
   Verdict find_minimum();
   Verdict minimum_with_its_errors();
   bool settle_errors(std::vector<double>& x);

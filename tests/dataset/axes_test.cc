@@ -1,0 +1,55 @@
+// The axes of elliptic contacts in the forms that cameras and image programs write.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "dataset/dataset.h"
+#include "dataset/temporary_folder.h"
+
+namespace mixity {
+namespace axes_test {
+
+constexpr const char* kConstants = "radius = \"9.42 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
+
+Dataset read(const std::string& table) {
+  const TemporaryFolder folder;
+  folder.write("a.toml", kConstants);
+  return load_dataset(folder.write("a.csv", table));
+}
+
+/// Semi-axes of 0.27 and 0.3 mm, along and across the shear.
+void expect_the_axes(const Dataset& data, const std::string& what) {
+  ASSERT_EQ(data.axes.size(), 1u) << what;
+  EXPECT_NEAR(data.axes[0].q, std::log(0.27 / 0.3), 1e-12) << what;
+  EXPECT_NEAR(data.points[0].A * data.contact->area_unit(), std::numbers::pi * 0.27e-3 * 0.3e-3, 1e-12) << what;
+}
+
+TEST(Axes, AreReadInAnyForm) {
+  expect_the_axes(read("P [mN],T [mN],a_par [mm],a_perp [mm]\n4,2,0.27,0.3\n"), "semi-axes");
+  expect_the_axes(read("P [mN],T [mN],d_par [um],d_perp [mm]\n4,2,540,0.6\n"), "diameters");
+  expect_the_axes(read("P [mN],T [mN],Major [mm],Minor [mm],Angle\n4,2,0.6,0.54,90\n"), "ImageJ, across");
+  expect_the_axes(read("P [mN],T [mN],Major [mm],Minor [mm],Angle [rad]\n4,2,0.6,0.54,1.5707963267948966\n"),
+                  "radians");
+  expect_the_axes(read("P [mN],T [mN],Major [mm],Minor [mm]\n4,2,0.6,0.54\n"), "without an angle");
+  expect_the_axes(read("P [mN],T [mN],Area [mm^2],Major,Minor,Angle\n4,2,0.254469004940773,0.6,0.54,90\n"),
+                  "beside an area, without a unit");
+  const Dataset along = read("P [mN],T [mN],Major [mm],Minor [mm],Angle\n4,2,0.6,0.54,180\n");
+  EXPECT_NEAR(along.axes[0].q, std::log(0.6 / 0.54), 1e-12);
+}
+
+TEST(Axes, HaveTheErrorsThatAreStated) {
+  const Dataset data =
+      read("P [mN],T [mN],a_par [mm],a_perp [mm],sigma_a_par [mm],sigma_a_perp [%]\n4,2,0.27,0.3,0.0027,2\n");
+  EXPECT_NEAR(data.axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12);
+  EXPECT_NEAR(data.axes[0].correlation, (0.01 * 0.01 - 0.02 * 0.02) / (0.01 * 0.01 + 0.02 * 0.02), 1e-12);
+  EXPECT_NEAR(data.errors_of(0).A / data.points[0].A, std::hypot(0.01, 0.02), 1e-12);
+  const Dataset of_cells = read("P [mN],T [mN],d_par [mm],d_perp [mm]\n4,2,0.54 +/- 0.0054,0.6 +/- 2%\n");
+  EXPECT_NEAR(of_cells.axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12);
+  EXPECT_TRUE(std::isnan(read("P [mN],T [mN],a_par [mm],a_perp [mm]\n4,2,0.27,0.3\n").axes[0].sigma_q));
+}
+
+TEST(Axes, OfTablesWithoutAreNotThere) { EXPECT_TRUE(read("P [mN],T [mN],A [mm^2]\n4,2,0.27\n").axes.empty()); }
+
+}  // namespace axes_test
+}  // namespace mixity

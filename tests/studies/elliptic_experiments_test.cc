@@ -1,0 +1,106 @@
+// Fits of elliptic contacts to simulated experiments.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "dataset/arrays.h"
+#include "fitting/consistency.h"
+#include "fitting/fit.h"
+#include "studies/simulate.h"
+
+namespace mixity {
+namespace elliptic_experiments_test {
+
+Plan plan_of(const std::string& model, std::vector<double> parameters) {
+  Plan plan;
+  plan.model = model;
+  plan.parameters = std::move(parameters);
+  plan.constants.radius = 9.42e-3;
+  plan.constants.modulus = 2.133e6;
+  plan.constants.toughness = 0.027;
+  plan.constants.poisson_ratio = 0.5;
+  plan.loads = {0.5e-3, 1.5e-3, 4e-3};
+  plan.points = 25;
+  plan.reach = 0.95;
+  plan.sigma_T = *parse_quantity("0.5%");
+  plan.sigma_A = *parse_quantity("0.4%");
+  return plan;
+}
+
+/// The standard errors are those of the file: without noise the fit must find the truth.
+TEST(EllipticExperiments, FindsBothCouplingsFromAxesWithoutNoise) {
+  for (const auto& [model, p] : std::vector<std::pair<std::string, std::vector<double>>>{
+           {"c-ellipse", {0.02, 0.005, 0.5}}, {"b-ellipse", {0.3, 0.1, 0.5}}, {"c-ellipse-equal", {0.02, 0.5}}}) {
+    const FitResult fit = fit_model(simulate(plan_of(model, p), 1, std::nullopt), model);
+    for (std::size_t k = 0; k + 1 < p.size(); ++k) {
+      ASSERT_TRUE(fit.parameters[k].value) << model << fit.message.text();
+      EXPECT_NEAR(*fit.parameters[k].value / p[k], 1, 1e-6) << model << k;
+    }
+    EXPECT_TRUE(fit.parameters.back().held);
+    EXPECT_EQ(fit.axes, fit.used.size());
+    EXPECT_EQ(fit.freedom(), 2 * fit.used.size() - p.size() + 1);
+  }
+}
+
+/// chi^2 of 2 x 12 deviations from the truth in standard errors: beyond 60 by chance in 1 of 15,000.
+TEST(EllipticExperiments, HasErrorsAsLargeAsTheDeviations) {
+  const std::vector<double> p{0.02, 0.005, 0.5};
+  double squares = 0;
+  int covered = 0;
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    const FitResult fit = fit_model(simulate(plan_of("c-ellipse", p), 11, i), "c-ellipse");
+    ASSERT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+    for (std::size_t k = 0; k < 2; ++k) {
+      const FittedParameter& one = fit.parameters[k];
+      squares += std::pow((*one.value - p[k]) / *one.stderr_, 2);
+      covered += *one.interval->low <= p[k] && p[k] <= *one.interval->high;
+    }
+  }
+  EXPECT_LT(squares, 60);
+  EXPECT_GE(covered, 19);  // of 24 intervals of 95 %; fewer by chance in 1 of 1,000
+}
+
+TEST(EllipticExperiments, OfAreasAloneIsOfTheSameCurve) {
+  Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 1, std::nullopt);
+  data.axes.clear();
+  FitOptions options;
+  options.hold = {*parse_held("lambda_III=0.005")};
+  const FitResult fit = fit_model(data, "c-ellipse", options);
+  EXPECT_EQ(fit.axes, 0u);
+  EXPECT_NEAR(*fit.parameters[0].value / 0.02, 1, 1e-6) << fit.message.text();
+}
+
+TEST(EllipticExperiments, TakesPoissonsRatioWithItsError) {
+  Plan plan = plan_of("c-ellipse", {0.02, 0.005, 0.45});
+  plan.constants.poisson_ratio = 0.45;
+  Dataset data = simulate(plan, 1, std::nullopt);
+  const FitResult exact = fit_model(data, "c-ellipse");
+  data.metadata.standard_errors["poisson_ratio"] = 0.02;
+  const FitResult uncertain = fit_model(data, "c-ellipse");
+  const FittedParameter &one = exact.parameters[1], &other = uncertain.parameters[1];
+  EXPECT_NEAR(*one.value, *other.value, 1e-6);
+  // lambda_III/(1 - nu) is what the axes tell: 0.02/0.55 of it are added in quadrature
+  EXPECT_NEAR(*other.stderr_, std::hypot(*one.stderr_, 0.005 * 0.02 / 0.55), 1e-2 * *other.stderr_);
+  EXPECT_TRUE(uncertain.parameters.back().prior);
+}
+
+TEST(EllipticExperiments, IsTheRemedyWhereACircleIsFittedToAnEllipse) {
+  const Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.002, 0.5}), 3, 0);
+  FitResult circle = fit_model(data, "c");
+  EXPECT_EQ(circle.status, FitStatus::suspect);
+  ASSERT_TRUE(circle.consistency && circle.consistency->circle);
+  EXPECT_LT(circle.consistency->circle->ratio, 0.99);
+  EXPECT_NE(circle.message.text().find("the contact is no circle"), std::string::npos)
+      << circle.message.text();
+  EXPECT_EQ(fit_model(data, "c-ellipse").status, FitStatus::ok);
+
+  const Dataset round = simulate(plan_of("c-ellipse", {0.02, 0.01, 0.5}), 3, 0);  // a circle: 0.01/(1 - 0.5)
+  const FitResult fit = fit_model(round, "c");
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+  EXPECT_GT(fit.consistency->circle->p_value, 1e-3);
+}
+
+}  // namespace elliptic_experiments_test
+}  // namespace mixity
