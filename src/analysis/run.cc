@@ -6,6 +6,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "analysis/contact_shape.h"
 #include "analysis/judgement.h"
 #include "base/threads.h"
 #include "fitting/causes.h"
@@ -90,7 +91,8 @@ FitOptions with_errors_of_best(const Analysis& result) {
 
 Analysis run(const FitRequest& asked, Dataset data, const Progress& progress) {
   Analysis result{asked, std::move(data), {}, {}, {}};
-  FitRequest request = asked;
+  take_shape(result.request);
+  FitRequest request = result.request;
   request.options = options_of(asked);
   exclude(result.data, request.exclusion);
   const std::size_t models = request.models.size();

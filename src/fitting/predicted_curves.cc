@@ -88,6 +88,25 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
   return states;
 }
 
+std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const FitOptions& options, const FitResult& fit,
+                                                  std::size_t run, std::size_t points) {
+  std::vector<std::pair<double, double>> drawn;
+  const ContactModel model = model_of(fit);
+  if (!model.is_elliptic()) return drawn;
+  std::vector<double> T, as_measured;
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const ConstantsScale scale(candidate.constants);
+  for (const StableState& state : stable_states(data, options, fit, run, points)) {
+    as_measured.push_back(state.T);
+    T.push_back(std::abs(scale.shear(state.T)));
+  }
+  const Ellipses found = model.ellipses(*model.ends_of(candidate.parameters), scale.load(data.curve_loads[run]), T);
+  for (std::size_t i = 0; i < T.size(); ++i)
+    if (found.at[i].status == EquilibriumStatus::ok)
+      drawn.emplace_back(std::abs(as_measured[i]), found.at[i].a / found.at[i].b);
+  return drawn;
+}
+
 DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
                        std::size_t points) {
   const ContactModel model = model_of(fit);

@@ -47,6 +47,11 @@ struct StableState {
 std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                        std::size_t run, std::size_t points);
 
+/// a/b of elliptic contacts along a run from T = 0 to the end of the stable branch, or to the largest measured T; T as
+/// measured, dimensionless. Empty for circles, and where there is no contact.
+std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const FitOptions& options, const FitResult& fit,
+                                                  std::size_t run, std::size_t points = 100);
+
 /// Contact radius a(P) at a tangential load T (as measured, dimensionless) for loads up to P_most: the stable and the
 /// unstable part, which meet at pull-off.
 struct DrawnRadii {

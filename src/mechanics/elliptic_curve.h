@@ -27,8 +27,8 @@ class EllipticCurve : public EllipticEquations<Law> {
   using Equations::P_, Equations::S0_;
 
  public:
-  using typename Equations::Mark, typename Equations::Residuals;
   using Equations::edge_load_at, Equations::residuals, Equations::mark_at, Equations::newton_at;
+  using typename Equations::Mark, typename Equations::Residuals;
   using Vector = std::array<double, 3>;  // in standard errors of T, A and q
 
   static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -105,7 +105,8 @@ class EllipticCurve : public EllipticEquations<Law> {
       const double y = s.w - P_, a = std::sqrt(s.A / pi<double>()), da = s.dA / (2 * pi<double>() * a);
       const double unit = ellipse_compliance(s.q, Equations::poisson_ratio_), u = unit * s.T / a;
       const double square = y * y + s.T * s.T, dy = 2 * a * s.dA / pi<double>();
-      points.push_back({s.at, y, s.T, a, s.A, u, std::atan2(s.T, y), square / (6 * pi<double>() * s.w), dy, s.dT, da,
+      const double phi = std::acos(std::clamp((y - 3 * pi<double>()) / S0_, -1.0, 1.0));
+      points.push_back({phi, y, s.T, a, s.A, u, std::atan2(s.T, y), square / (6 * pi<double>() * s.w), dy, s.dT, da,
                         s.dA, unit * (s.dT - s.T * da / a) / a, (y * s.dT - s.T * dy) / square, 0});
     };
     add(spots_[0]);

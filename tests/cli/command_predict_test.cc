@@ -149,7 +149,6 @@ TEST(Program, AnEllipseHasParametersOfBothModesAndPoissonsRatio) {
   says({"--model=c", "--lambda_II=0.1", "--lambda_III=0.1"}, "needs --poisson_ratio");
   says({"--model=bk", "--parameters=r_II=3,eta_II=2,r_III=2", "--poisson_ratio=0.5"}, "needs --parameters=eta_III=...");
   says({"--model=c", "--lambda_II=0.1", "--lambda_III=2", "--poisson_ratio=0.5"}, "lambda_III is '2'");
-  says({MIXITY_ROOT "/data/mergel2018.csv"}, "only predict --model knows ellipses");
 }
 
 }  // namespace command_predict_test

@@ -39,6 +39,7 @@ def fit(
     *,
     objective: str | None = None,
     free: str | Sequence[str] | None = None,
+    shape: str | None = None,
     progress: Callable[[float], Any] | bool | None = None,
     **options: Any,
 ) -> Fits:
@@ -54,6 +55,9 @@ def fit(
         ln(G_c/G_Ic) against psi.
     free : list of str, optional
         Constants of the experiment that are fitted without a prior.
+    shape : {"circle", "ellipse"}, optional
+        Of the contacts. "ellipse" fits the laws of the models at the ends of both axes ("c-ellipse" in place of "c"), to the
+        axes where these were measured; ``tie="equal"`` or ``tie="lambda_III=0"`` ties the two couplings.
     progress : callable or bool, optional
         Called with the fraction done, 0..1, on the calling thread; True: a tqdm bar if that is installed.
     **options
@@ -77,7 +81,13 @@ def fit(
     """
     if not isinstance(data, Dataset):
         raise TypeError("data must be a mixity.Dataset: Dataset(P=..., T=..., A=...), from_frame(...) or read(...)")
-    stated = [("models", _option_text(model_keys(models)))]
+    keys = model_keys(models)
+    if shape not in (None, "circle", "ellipse"):
+        raise ValueError(f'shape must be "circle" or "ellipse", not {shape!r}')
+    if shape == "ellipse":
+        listed = keys.split(",") if isinstance(keys, str) else keys
+        keys = [key if "-ellipse" in key else f"{key}-ellipse" for key in listed]
+    stated = [("models", _option_text(keys))]
     for name, value in {"objective": objective, "free": free, **options}.items():
         if name in si_names() and name not in _OPTIONS:
             raise _core.InputError(f"{name}: is no option of a fit: state it in mixity.Dataset({name}=...), or in mixity.read")

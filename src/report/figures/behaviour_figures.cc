@@ -79,11 +79,18 @@ std::vector<Figure> behaviour_figures(const ReportedData& reported) {
   if (!(reported.figured.T_data > 0)) return {};
   const DrawnUnits units(data);
   const Axis T{units.T(), 0.0, {}}, u{units.u(), 0.0, {}}, A{units.A(), 0.0, {}};
-  return {equilibrium_curves(reported, "_u_T", "Tangential displacement against tangential load", T, u, &DrawnPoint::T,
-                             &DrawnPoint::u),
-          equilibrium_curves(reported, "_A_u", "Contact area against tangential displacement", u, A, &DrawnPoint::u,
-                             &DrawnPoint::A),
-          radii_figure(reported)};
+  std::vector<Figure> figures{equilibrium_curves(reported, "_u_T", "Tangential displacement against tangential load", T,
+                                                 u, &DrawnPoint::T, &DrawnPoint::u),
+                              equilibrium_curves(reported, "_A_u", "Contact area against tangential displacement", u, A,
+                                                 &DrawnPoint::u, &DrawnPoint::A)};
+  const auto& models = reported.figured.models;
+  // a(P) at constant T is known of circles alone
+  if (std::any_of(models.begin(), models.end(), [](const ModelCurves& one) {
+        return std::any_of(one.radii.begin(), one.radii.end(),
+                           [](const DrawnRadii& radii) { return !radii.stable.empty() || !radii.unstable.empty(); });
+      }))
+    figures.push_back(radii_figure(reported));
+  return figures;
 }
 
 }  // namespace mixity

@@ -76,6 +76,7 @@ DataFigures data_figures(const ReportedData& reported) {
 
   group("Do the models describe the data?");
   keep_or_say_why(area_figures(reported), "contact area against tangential load", load_reason(no_value));
+  keep(axes_figures(reported));
   keep_or_say_why(toughness_figures(reported), "toughness ratio against phase angle", "no point has a phase angle");
   group("How well is the parameter known?");
   keep_or_say_why(profile_figures(reported), "profile of the cost",

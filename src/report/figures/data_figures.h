@@ -39,6 +39,8 @@ std::string shown_note(std::size_t shown, std::size_t all);
 std::vector<Figure> toughness_figures(const ReportedData& data);
 /// A(T) of all models together, then of each with both branches, instabilities and strength (Fig. 8, 10).
 std::vector<Figure> area_figures(const ReportedData& data);
+/// Of elliptic contacts: a/b against T, and the region of both couplings.
+std::vector<Figure> axes_figures(const ReportedData& data);
 /// Residuals against psi, T and load.
 std::vector<Figure> residual_figures(const ReportedData& data);
 /// Quantiles of the residuals against those of a normal distribution, for 8 points or more; not for models that

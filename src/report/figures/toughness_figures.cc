@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/readable.h"
 #include "base/number_text.h"
@@ -33,11 +34,15 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
     const std::string& key = model.fit->model;
     if (const auto& ends = model.toughness_band)
       bands.insert(bands.begin(), band("", model_color(key), ends->first, ends->second));
+    if (std::none_of(model.toughness.begin(), model.toughness.end(),
+                     [](const auto& q) { return std::isfinite(q.second); }))
+      continue;  // of ellipses, which have two phase angles
     const FittedParameter* leading = leading_parameter(*model.fit);
     lines.push_back(
         {"model " + key + (leading ? ", " + parameter_symbol(leading->name) + " = " + rounded(*leading->value, 4) : ""),
          model_line(key), model_color(key), model.toughness});
   }
+  if (lines.empty() && !reported.figured.models.empty()) return {};
   const double least = range.logarithmic ? 0.8 * range.least : std::max(0.0, 0.9 * range.least);
   Figure figure{
       .name = reported.stem + "_toughness",

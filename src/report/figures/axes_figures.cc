@@ -1,0 +1,85 @@
+// Figures of elliptic contacts: the ratio of the axes, and the region of both couplings.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/number_text.h"
+#include "dataset/display_units.h"
+#include "fitting/predicted_curves.h"
+#include "mechanics/contact_model.h"
+#include "report/figures/data_figures.h"
+#include "statistics/distributions.h"
+
+namespace mixity {
+namespace {
+
+Figure ratio_figure(const ReportedData& reported, const FitResult& fit) {
+  const Dataset& data = reported.result.data;
+  const DrawnUnits units(data);
+  const auto by_run = points_by_curve(data);
+  Figure figure{.name = reported.stem + "_axes_" + fit.model,
+                .title = "Ratio of the axes against tangential load, model " + fit.model,
+                .x = {units.T(), 0.0, {}},
+                .y = {"a/b", {}, {}},
+                .key_title = units.P(),
+                .caption = "Axes along (a) and across (b) the shear: measured, and of the fitted model."};
+  constexpr std::size_t kMostRuns = 8;
+  for (std::size_t run = 0; run < std::min(by_run.size(), kMostRuns); ++run) {
+    Series points{rounded(data.curve_loads[run] * units.force, 4), Look::circles, color(run)},
+        line{"", Look::solid, color(run)};
+    for (const std::size_t i : shown_points(by_run[run], by_run.size()))
+      if (!data.axes.empty() && std::isfinite(data.axes[i].q))
+        points.points.emplace_back(data.points[i].shear() * units.force, std::exp(data.axes[i].q));
+    for (const auto& [T, ratio] : drawn_axes(data, reported.result.request.options, fit, run))
+      line.points.emplace_back(T * units.force, ratio);
+    figure.series.push_back(std::move(points));
+    figure.series.push_back(std::move(line));
+  }
+  return figure;
+}
+
+/// The 95 % region of both couplings by their standard errors and correlation, and the line of circles.
+std::optional<Figure> region_figure(const ReportedData& reported, const FitResult& fit) {
+  constexpr int kSteps = 120;
+  const FittedParameter &II = fit.parameters[0], &III = fit.parameters[1], &nu = fit.parameters.back();
+  if (!II.value || !III.value || !nu.value || !II.stderr_ || !III.stderr_ || fit.correlations.size() < 4)
+    return std::nullopt;
+  const double rho = fit.correlations[1], size = std::sqrt(chi_squared_quantile(0.95, 2));
+  Series region{"95 % region", Look::solid, model_color(fit.model)},
+      best{"best fit", Look::circles, model_color(fit.model)},
+      circle{"circle: lambda_III = (1 - nu) lambda_II", Look::dashed, color(7)};
+  double least = 1e300, most = -1e300;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double t = 2 * std::numbers::pi * k / kSteps, u = size * std::cos(t),
+                 v = size * (rho * std::cos(t) + std::sqrt(std::max(1 - rho * rho, 0.0)) * std::sin(t));
+    const double x = std::clamp(*II.value + u * *II.stderr_, II.lower, II.upper),
+                 y = std::clamp(*III.value + v * *III.stderr_, III.lower, III.upper);
+    region.points.emplace_back(x, y);
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  best.points.emplace_back(*II.value, *III.value);
+  for (const double x : {least, most}) circle.points.emplace_back(x, (1 - *nu.value) * x);
+  return Figure{.name = reported.stem + "_couplings_" + fit.model,
+                .title = "Couplings of modes II and III, model " + fit.model,
+                .x = {II.name, {}, {}},
+                .y = {III.name, {}, {}},
+                .series = {std::move(region), std::move(circle), std::move(best)},
+                .caption = "The region by standard errors and correlation; on the dashed line contacts are circles."};
+}
+
+}  // namespace
+
+std::vector<Figure> axes_figures(const ReportedData& reported) {
+  std::vector<Figure> figures;
+  for (const FitResult& fit : reported.result.fits) {
+    const auto model = ContactModel::find(fit.model);
+    if (!model || !model->is_elliptic() || !has_all_values(fit)) continue;
+    if (!reported.result.data.axes.empty()) figures.push_back(ratio_figure(reported, fit));
+    if (fit.parameters[0].name == "lambda_II" && fit.parameters[1].name == "lambda_III")
+      if (auto region = region_figure(reported, fit)) figures.push_back(std::move(*region));
+  }
+  return figures;
+}
+
+}  // namespace mixity
