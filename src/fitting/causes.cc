@@ -248,8 +248,9 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
     const auto cause = [&](const Case& with, const Points& which) { return with_free(with, constant, which); };
     if (of.to_beat) {
       if (may_reach(of, constant)) consider(by_readings, near_the_other, cause);
-    } else if (!is_hopeless(of.data, cause(by_readings, some).fit))
-      consider(of, of, cause);
+    } else if ((of.fit.known_errors && !many) || !is_hopeless(of.data, cause(by_readings, some).fit)) {
+      consider(of, of, cause);  // with known errors it is given up as soon as that shows
+    }
   }
   // A course common to all runs is not a difference between them.
   const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;

@@ -1,7 +1,11 @@
 // The effect of constants of the experiment on the residuals of a fit.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "dataset/constants.h"
 
@@ -14,15 +18,23 @@ inline std::optional<Constant> constant_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Derivatives of a residual in P, T and A; `in` gives that in a constant, by the chain rule through ConstantsScale.
-struct ResidualSlopes {
-  double by_P, by_T, by_A;                  // in the scaled P, T and A
-  double log_sigma_T = 0, log_sigma_A = 0;  // in the logarithms of their errors
+/// Calls visit(constant) with a type that has the constant as its value, so that loops over points are compiled for it.
+template <class Visit>
+void with_constant(Constant constant, const Visit& visit) {
+  const auto call = [&]<std::size_t... kIndices>(std::index_sequence<kIndices...>) {
+    (..., (constant == kAllConstants[kIndices] ? visit(std::integral_constant<Constant, kAllConstants[kIndices]>())
+                                               : void()));
+  };
+  call(std::make_index_sequence<kAllConstants.size()>());
+}
 
-  /// The derivative in `constant`, at scaled P, T and A.
-  double in(Constant constant, double P, double T, double A, const ConstantsScale& scale,
-            const PointPlace& place) const {
-    const double by_force = by_P * P + by_T * T + log_sigma_T, by_area = by_A * A + log_sigma_A;
+/// Derivatives of a residual in P, T and A, and in the logarithms of all forces and of all areas; `in` gives that in a
+/// constant, by the chain rule through ConstantsScale.
+struct ScaledSlopes {
+  double by_P, by_T, by_A;  // in the scaled P, T and A
+  double by_force, by_area;
+
+  double in(Constant constant, const ConstantsScale& scale, const PointPlace& place) const {
     const double by_toughness = -by_force - 2.0 / 3 * by_area;
     switch (constant) {
       case kToughness:
@@ -51,6 +63,21 @@ struct ResidualSlopes {
         return place.unsheared ? by_toughness : 0;
     }
     return by_A * scale.area;
+  }
+};
+
+/// Derivatives of a residual in the scaled P, T and A, and in the logarithms of their errors.
+struct ResidualSlopes {
+  double by_P, by_T, by_A;
+  double log_sigma_T = 0, log_sigma_A = 0;
+
+  /// At scaled P, T and A.
+  ScaledSlopes at(double P, double T, double A) const {
+    return {by_P, by_T, by_A, by_P * P + by_T * T + log_sigma_T, by_A * A + log_sigma_A};
+  }
+  double in(Constant constant, double P, double T, double A, const ConstantsScale& scale,
+            const PointPlace& place) const {
+    return at(P, T, A).in(constant, scale, place);
   }
 };
 

@@ -311,6 +311,28 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   const bool varies = varies_ || has_changes(at.constants), places_act = varies || choice_.has_changes();
   ConstantsScale scale(at.constants);
   PointPlace place{};
+  const auto slopes_of = [&](std::size_t i) {
+    const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
+    return ResidualSlopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
+                          of_error(out.dA[i], sigma_A[i])};
+  };
+  const bool by_column = !places_act && !wanted.jacobian.empty() && axes.r.empty();
+  if (by_column) {
+    const auto by_force = array(5), by_area = array(6);
+    for (std::size_t i = 0; i < n; ++i) {
+      const ScaledSlopes slopes = slopes_of(i).at(P[i], T[i], A[i]);
+      by_force[i] = slopes.by_force;
+      by_area[i] = slopes.by_area;
+    }
+    for (std::size_t k = 0; k < choice_.constants().size(); ++k)
+      with_constant(choice_.constants()[k], [&](auto constant) {
+        double* const column = wanted.jacobian.data() + choice_.of_model().size() + k;
+        for (std::size_t i = 0; i < n; ++i)
+          column[to(i) * width] =
+              ScaledSlopes{out.dP[i], out.dT[i], out.dA[i], by_force[i], by_area[i]}.in(constant, scale, place);
+      });
+  }
+  if (by_column && !wanted.nearest) return true;
   for (std::size_t i = 0; i < n; ++i) {
     if (places_act) place = points.at(index_of(begin + i)).place;  // drifts act at T = 0, too
     if (varies) scale = ConstantsScale(at.constants, place);
@@ -322,20 +344,20 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
       wanted.nearest->load_T[to(i)] = load_T / size;
       wanted.nearest->load_A[to(i)] = load_A / size;
     }
-    if (wanted.jacobian.empty()) continue;
-    const auto fill = [&](std::size_t to_row, const ResidualSlopes& slopes) {
+    if (by_column || wanted.jacobian.empty()) continue;
+    const auto fill = [&](std::size_t to_row, const ResidualSlopes& of_readings) {
+      const ScaledSlopes slopes = of_readings.at(P[i], T[i], A[i]);
       double* const row = &wanted.jacobian[to_row * width] + choice_.of_model().size();
       for (std::size_t k = 0; k < choice_.constants().size(); ++k)
-        row[k] = slopes.in(choice_.constants()[k], P[i], T[i], A[i], scale, place);
+        row[k] = slopes.in(choice_.constants()[k], scale, place);
     };
-    if (!axes.r.empty()) {
-      fill(to(i), {out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]});
-      if (const std::size_t row = axes_row_[index_of(begin + i)]; row > 0)
-        fill(row, {axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]});
+    if (axes.r.empty()) {
+      fill(to(i), slopes_of(i));
       continue;
     }
-    const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
-    fill(to(i), {out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]), of_error(out.dA[i], sigma_A[i])});
+    fill(to(i), {out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]});
+    if (const std::size_t row = axes_row_[index_of(begin + i)]; row > 0)
+      fill(row, {axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]});
   }
   return true;
 }

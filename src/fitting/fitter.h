@@ -35,8 +35,8 @@ class Fitter {
   std::size_t unknown() const;
   bool has_too_few_points();
   bool is_beyond(double most_misfit) const;
-  bool scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
-                        const ErrorModels& models) const;
+  bool scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage, const ErrorModels& models,
+                        bool chosen, std::optional<ErrorModels>& by_neighbours) const;
   void report_progress(double fraction) const;
   void describe();
   void fit_as_the_paper();
@@ -57,11 +57,12 @@ class Fitter {
                                               const std::vector<std::vector<double>>& own) const;
   std::vector<std::vector<double>> take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
                                                    std::vector<double>& leverage, const ErrorModels& models,
-                                                   bool& apart) const;
+                                                   bool& apart, std::optional<ErrorModels>& by_neighbours) const;
   bool find_run_differences(std::vector<double>& x, NearestPlaces& nearest, std::vector<double>& leverage,
                             double& change);
   bool differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
-                                   const std::vector<double>& leverage, const ErrorModels& models) const;
+                                   const std::vector<double>& leverage, const ErrorModels& models,
+                                   std::optional<ErrorModels>& by_neighbours) const;
   std::optional<double> share_taken_off(const std::vector<double>& x) const;
   std::vector<double> with_other_size(const std::vector<double>& x, bool of_T, double step, double taken) const;
   void widen_by_sizes_of_errors(const std::vector<double>& x);

@@ -186,7 +186,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
         restore_errors();
       return false;
     }
-    if (round == more && scatters_too_far(*nearest, leverage, models)) {
+    std::optional<ErrorModels> by_neighbours;  // what Stage::choosing would find, where it is known
+    if ((round == more || round == choosing) &&
+        scatters_too_far(*nearest, leverage, models, round == choosing, by_neighbours)) {
       given_up_ = true;
       return false;
     }
@@ -198,13 +200,14 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     std::vector<std::vector<double>> own;
     // A course common to all runs is not a difference between them.
     if (!by_run && (apart || (round < choosing && round % weighting == 0 && (!many || round > 0) && !shared)))
-      own = take_runs_apart(x, *nearest, leverage, models, apart);
-    const auto found = estimated_errors(*nearest, leverage, models,
-                                        round < weighting  ? Stage::weighting
-                                        : round < choosing ? Stage::choosing
-                                        : round < refining ? Stage::refining
-                                                           : Stage::ending,
-                                        own);
+      own = take_runs_apart(x, *nearest, leverage, models, apart, by_neighbours);
+    const Stage stage = round < weighting  ? Stage::weighting
+                        : round < choosing ? Stage::choosing
+                        : round < refining ? Stage::refining
+                                           : Stage::ending;
+    const auto found = stage == Stage::choosing && by_neighbours && own.empty()
+                           ? by_neighbours
+                           : estimated_errors(*nearest, leverage, models, stage, own);
     if (!found) return true;
     change = std::max({change, std::abs(found->correlations.first - models.correlations.first),
                        std::abs(found->correlations.second - models.correlations.second)});

@@ -40,25 +40,27 @@ bool Fitter::is_beyond(double most_misfit) const {
 }
 
 /// Whether the squares of residuals with known errors are so large, with the neighbours' correlations that explain them
-/// best, that no later round makes the fit an explanation.
+/// best, that no later round makes the fit an explanation. `chosen`: whether those of `models` are these correlations;
+/// else they are estimated, into `by_neighbours`.
 bool Fitter::scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
-                              const ErrorModels& models) const {
-  constexpr double kAtMost = 2;  // later rounds change chi^2, mostly by less than a tenth, but not by this factor
+                              const ErrorModels& models, bool chosen, std::optional<ErrorModels>& by_neighbours) const {
+  // Later rounds change chi^2, mostly by less than a tenth, but not by this factor.
+  const double at_most = chosen ? 1.25 : 2;
   if (!options_.explanation_only || !problem_->known_errors() || options_.loss != Loss::none) return false;
   double freedom = 0;
   for (const double one : leverage) freedom += 1 - one;
   const auto fails = [&](const std::vector<double>& residuals) {
     double squares = 0;
     for (const double r : residuals) squares += r * r;
-    return freedom > 0 && chi_squared_p_value(squares / kAtMost, freedom) < kHardly;
+    return freedom > 0 && chi_squared_p_value(squares / at_most, freedom) < kHardly;
   };
   if (!fails(nearest.residuals)) return false;
-  const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
-  if (!by_neighbours) return false;
+  if (!chosen) by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
+  if (!chosen && !by_neighbours) return false;
+  const NeighbourCorrelations& correlations = chosen ? models.correlations : by_neighbours->correlations;
+  if (!correlations.any()) return true;
   std::vector<double> residuals = nearest.residuals;
-  if (by_neighbours->correlations.any())
-    Decorrelation(processes_of(data_, prepared_.used, nearest.load_T, nearest.load_A), {by_neighbours->correlations})
-        .apply(residuals);
+  Decorrelation(processes_of(data_, prepared_.used, nearest.load_T, nearest.load_A), {correlations}).apply(residuals);
   return fails(residuals);
 }
 

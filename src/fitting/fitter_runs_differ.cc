@@ -46,7 +46,7 @@ bool any_differs(const RunRows& rows, const Groups& groups, double rest) {
 /// these would be taken for autocorrelated noise. Returns their columns.
 std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<double>& x, NearestPlaces& nearest,
                                                          std::vector<double>& leverage, const ErrorModels& models,
-                                                         bool& apart) const {
+                                                         bool& apart, std::optional<ErrorModels>& by_neighbours) const {
   const PointsByRun in_runs(data_, prepared_.used);
   const bool may_be_memory = prepared_.errors->correlations.any() && !apart;
   if (in_runs.runs() < 2 || in_runs.runs() > kMostRuns || may_be_memory) return {};
@@ -60,7 +60,7 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   const auto rows = run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
   if (!rows) return {};
   const Groups groups = used_runs(data_, prepared_.used).groups;
-  if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models);
+  if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models, by_neighbours);
   if (!apart) return {};
   const Eigen::VectorXd spread = free_spreads(*rows, groups);
   const auto probable = most_probable(grouped_rows(rows->J, rows->r, rows->Zw, groups), spread);
@@ -77,12 +77,14 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   return own;
 }
 
-/// Whether a deviation of each run explains the residuals beyond chance and better than correlated neighbours.
+/// Whether a deviation of each run explains the residuals beyond chance and better than correlated neighbours, whose
+/// errors are then in `by_neighbours`.
 bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& groups, const NearestPlaces& nearest,
-                                         const std::vector<double>& leverage, const ErrorModels& models) const {
+                                         const std::vector<double>& leverage, const ErrorModels& models,
+                                         std::optional<ErrorModels>& by_neighbours) const {
   const double rest = static_cast<double>(rows.r.size() - rows.J.cols());
   if (!any_differs(rows, groups, rest)) return false;
-  const auto by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
+  if (!by_neighbours) by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
   if (!by_neighbours || !by_neighbours->correlations.any()) return true;
   constexpr double kEnough = 1e-3;  // of a spread; ln L, which decides, is stationary there
   // In units of the scatter within the runs.

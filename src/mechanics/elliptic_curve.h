@@ -112,7 +112,8 @@ class EllipticCurve : public EllipticEquations<Law> {
     add(spots_[0]);
     for (std::size_t i = 0; i + 1 < spots_.size(); ++i) {
       const Spot &low = spots_[i], &high = spots_[i + 1];
-      for (int k = 1; k < kParts && !high.by_T; ++k)
+      if (low.by_T != high.by_T) continue;
+      for (int k = 1; k < kParts; ++k)
         if (const auto at = between(low, high, low.at + (high.at - low.at) * k / kParts); at && at->T <= T_most)
           add(*at);
       if (high.T <= T_most) add(high);

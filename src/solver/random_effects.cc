@@ -12,19 +12,48 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
+/// K = D (1 + D Z'Z D)^-1 D for D = diag(spread), and ln of the determinant of what is inverted. One or two effects are
+/// by far the most frequent, and are evaluated thousands of times.
+double inner_inverse(const Matrix& Z_Z, const Vector& spread, Eigen::Map<Matrix> K) {
+  if (spread.size() == 1) {
+    const double square = spread[0] * spread[0], inner = 1 + square * Z_Z(0, 0);
+    K(0, 0) = square / inner;
+    return std::log(inner);
+  }
+  if (spread.size() == 2) {
+    const double across = spread[0] * spread[1], a = 1 + spread[0] * spread[0] * Z_Z(0, 0), b = across * Z_Z(0, 1),
+                 c = 1 + spread[1] * spread[1] * Z_Z(1, 1), left = c - b / a * b;
+    K(0, 0) = spread[0] * spread[0] * (1 + b / a * (b / left)) / a;
+    K(0, 1) = K(1, 0) = -across * (b / a) / left;
+    K(1, 1) = spread[1] * spread[1] / left;
+    return left > 0 ? std::log(a) + std::log(left) : std::numeric_limits<double>::infinity();
+  }
+  const auto D = spread.asDiagonal();
+  const Matrix inner = Matrix::Identity(spread.size(), spread.size()) + D * Z_Z * D;
+  K = D * solve_columns(inner, Matrix(D));
+  return log_determinant(inner).value_or(std::numeric_limits<double>::infinity());
+}
+
 /// The restricted likelihood and derived quantities at given spreads. Within a group V^-1 = 1 - Z K Z'.
 struct Restricted {
-  Restricted(const GroupedRows& rows, const Vector& spread) : H(rows.J_J), g(rows.J_r) {
+  Restricted(const GroupedRows& rows, const Vector& spread)
+      : H(rows.J_J), g(rows.J_r), effects(spread.size()), inverses(rows.groups.size() * square_of(effects)) {
     double squares = rows.r_r;
-    const Eigen::Index k = spread.size();
-    for (const auto& group : rows.groups) {
-      const auto D = spread.asDiagonal();
-      const Matrix inner = Matrix::Identity(k, k) + D * group.Z_Z * D;
-      K.push_back(D * solve_columns(inner, Matrix(D)));
-      determinant += log_determinant(inner).value_or(std::numeric_limits<double>::infinity());
-      H -= group.J_Z * K.back() * group.J_Z.transpose();
-      g -= group.J_Z * K.back() * group.Z_r;
-      squares -= group.Z_r.dot(K.back() * group.Z_r);
+    const Eigen::Index p = g.size();
+    for (std::size_t i = 0; i < rows.groups.size(); ++i) {
+      const auto& group = rows.groups[i];
+      determinant += inner_inverse(group.Z_Z, spread, {inverses.data() + i * square_of(effects), effects, effects});
+      const auto of_group = K(i);
+      for (Eigen::Index q = 0; q < effects; ++q)
+        for (Eigen::Index s = 0; s < effects; ++s) {
+          const double k = of_group(q, s);
+          squares -= k * group.Z_r[q] * group.Z_r[s];
+          for (Eigen::Index a = 0; a < p; ++a) {
+            const double slope = k * group.J_Z(a, q);
+            g[a] -= slope * group.Z_r[s];
+            for (Eigen::Index b = 0; b < p; ++b) H(a, b) -= slope * group.J_Z(b, s);
+          }
+        }
     }
     const auto of_H = log_determinant(H);
     determined = of_H.has_value();
@@ -33,23 +62,32 @@ struct Restricted {
     log_likelihood = -(determinant + *of_H + squares + g.dot(step)) / 2;
   }
 
+  static std::size_t square_of(Eigen::Index n) { return static_cast<std::size_t>(n * n); }
+  Eigen::Map<const Matrix> K(std::size_t group) const {
+    return {inverses.data() + group * square_of(effects), effects, effects};
+  }
+
   /// 2 d(ln L)/d(spread^2) for effect q.
   double score(const GroupedRows& rows, Eigen::Index q) const {
     double sum = 0;
+    Matrix J_z(g.size(), static_cast<Eigen::Index>(rows.groups.size()));
+    Vector left(effects);  // of the effects after V^-1
     for (std::size_t i = 0; i < rows.groups.size(); ++i) {
       const auto& group = rows.groups[i];
-      const Vector left = Vector::Unit(K[i].rows(), q) - K[i] * group.Z_Z.col(q);  // of the effects after V^-1
-      const Vector J_z = group.J_Z * left;
-      const double z_r = left.dot(group.Z_r) + J_z.dot(step);
-      const double z_z = group.Z_Z.col(q).dot(left) - J_z.dot(solve_symmetric(H, J_z));
-      sum += z_r * z_r - z_z;
+      const auto column = static_cast<Eigen::Index>(i);
+      left.noalias() = -(K(i) * group.Z_Z.col(q));
+      left[q] += 1;
+      J_z.col(column).noalias() = group.J_Z * left;
+      const double z_r = left.dot(group.Z_r) + J_z.col(column).dot(step);
+      sum += z_r * z_r - group.Z_Z.col(q).dot(left);
     }
-    return sum;
+    return sum + J_z.cwiseProduct(solve_columns(H, J_z)).sum();
   }
 
   Matrix H;
   Vector g, step;
-  std::vector<Matrix> K;
+  Eigen::Index effects;
+  std::vector<double> inverses;  // K of each group
   double determinant = 0, log_likelihood = -std::numeric_limits<double>::infinity();
   bool determined = false;
 };
@@ -143,7 +181,7 @@ std::optional<MostProbable> most_probable(const GroupedRows& rows, const Vector&
   if (!at.determined) return std::nullopt;
   MostProbable found{at.step, std::sqrt(std::max(-at.g.dot(at.step), 0.0)), {}};
   for (std::size_t i = 0; i < rows.groups.size(); ++i)
-    found.deviations.push_back(-at.K[i] * (rows.groups[i].Z_r + rows.groups[i].J_Z.transpose() * at.step));
+    found.deviations.push_back(-at.K(i) * (rows.groups[i].Z_r + rows.groups[i].J_Z.transpose() * at.step));
   return found;
 }
 

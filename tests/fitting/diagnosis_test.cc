@@ -127,6 +127,21 @@ TEST(Diagnosis, IncludesTheFitWithAConstantThatIsNearlyShownToBeWrong) {
   EXPECT_GE(covered, included - 1);
 }
 
+/// A trial that cannot pass the tests costs a round of its errors; one that passes is as without the option.
+TEST(Diagnosis, GivesUpWhatIsNoExplanation) {
+  FitOptions options = stated_errors();
+  options.checks = false;
+  const FitResult right = fit_model(measured_runs(5), "c", options);
+  options.explanation_only = true;
+  const FitResult same = fit_model(measured_runs(5), "c", options);
+  EXPECT_EQ(same.status, right.status);
+  EXPECT_EQ(*same.parameters[0].value, *right.parameters[0].value);
+  options.sigma_A = options.sigma_T = *parse_quantity("0.5%");
+  const FitResult wrong = fit_model(measured_runs(5), "c", options);
+  EXPECT_EQ(wrong.status, FitStatus::not_converged);
+  EXPECT_TRUE(wrong.message.text().starts_with("given up")) << wrong.message.text();
+}
+
 TEST(Diagnosis, OfDataWithoutScatterIsSilent) {
   const Dataset data = synthetic_runs("c", {0.15}, {0.5, 5, 20});
   EXPECT_EQ(fit_model(data, "c").status, FitStatus::ok);

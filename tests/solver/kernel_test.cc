@@ -82,6 +82,26 @@ TEST(Kernel, WeighsResidualsAsRootsOfWeightsDo) {
   expect_same(Kernel(one).descend({{1.0}}, kWeights), descend(one_weighted, {1}));
 }
 
+/// Rows are summed 128 at a time.
+TEST(Kernel, HasTheCostOfAllRowsOfANarrowJacobian) {
+  constexpr std::size_t kRows = 300;
+  const auto problem = problem_of<5>(
+      kRows, {unbounded("a", 1), unbounded("b", 1), unbounded("c", 1), unbounded("d", 1), unbounded("e", 1)}, {1},
+      [](const auto* b, std::size_t i) {
+        const double t = static_cast<double>(i) / kRows;
+        return b[0] + b[1] * t + b[2] * exp(-b[3] * t) + b[4] * t * t - t * t * t;
+      });
+  const std::vector<double> x{0.3, 1, 2, 0.7, -1};
+  std::vector<double> residuals(kRows), jacobian(kRows * x.size());
+  ASSERT_TRUE(problem.evaluate(x, residuals, jacobian));
+  const CostValue cost = Kernel(problem).at(x);
+  const auto J = as_matrix(jacobian, x.size());
+  const auto r = as_vector(residuals);
+  EXPECT_NEAR(cost.value, r.squaredNorm(), 1e-13 * cost.value);  // of another order of summation
+  EXPECT_LT((cost.gradient - J.transpose() * r).norm(), 1e-13 * J.norm() * r.norm());
+  EXPECT_LT((cost.hessian - J.transpose() * J).norm(), 1e-13 * J.squaredNorm());
+}
+
 TEST(Kernel, HasNoMinimumWhereTheStartIsNotFinite) {
   const auto problem = problem_of<1>(2, {unbounded("x", 1)}, {},
                                      [](const auto* b, std::size_t i) { return sqrt(b[0]) - static_cast<double>(i); });

@@ -109,6 +109,22 @@ TEST(RandomEffects, AreWhitened) {
   EXPECT_NEAR(whitening.log_determinant(), std::log(V.determinant()), 1e-10);
 }
 
+/// One and two effects have formulas of their own.
+TEST(RandomEffects, WithoutSpreadAreAsIfTheyWereNotThere) {
+  const Experiment three(4, Vector{{0.7, 0.4, 0.2}});
+  for (const Eigen::Index kept : {1, 2}) {
+    const Vector some = Vector{{0.6, 0.5}}.head(kept);
+    Vector all = Vector::Zero(3);
+    all.head(kept) = some;
+    const auto with = most_probable(three.rows(), all),
+               without = most_probable(grouped_rows(three.J, three.r, three.Z.leftCols(kept), three.groups), some);
+    ASSERT_TRUE(with && without);
+    EXPECT_LT((with->step - without->step).norm(), 1e-12);  // of sums of some hundred numbers of size 1
+    for (std::size_t g = 0; g < three.groups.size(); ++g)
+      EXPECT_LT((with->deviations[g].head(kept) - without->deviations[g]).norm(), 1e-12);
+  }
+}
+
 TEST(RandomEffects, LeaveSharesOfNoiseAsTheDenseProjectionDoes) {
   const Experiment made(4, Vector{{0.5, 1.0}});
   const Vector spread{{0.5, 1.0}};

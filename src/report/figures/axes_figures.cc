@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/readable.h"
 #include "base/number_text.h"
 #include "dataset/display_units.h"
 #include "fitting/predicted_curves.h"
@@ -46,9 +47,8 @@ std::optional<Figure> region_figure(const ReportedData& reported, const FitResul
     return std::nullopt;
   const double rho = fit.correlations[1], size = std::sqrt(chi_squared_quantile(0.95, 2));
   Series region{"95 % region", Look::solid, model_color(fit.model)},
-      best{"best fit", Look::circles, model_color(fit.model)},
-      circle{"circle: lambda_III = (1 - nu) lambda_II", Look::dashed, color(7)};
-  double least = 1e300, most = -1e300;
+      best{"best fit", Look::circles, model_color(fit.model)}, circle{"circles", Look::dashed, color(7)};
+  double least = 1e300, most = -1e300, lowest = 1e300, highest = -1e300;
   for (int k = 0; k <= kSteps; ++k) {
     const double t = 2 * std::numbers::pi * k / kSteps, u = size * std::cos(t),
                  v = size * (rho * std::cos(t) + std::sqrt(std::max(1 - rho * rho, 0.0)) * std::sin(t));
@@ -57,15 +57,24 @@ std::optional<Figure> region_figure(const ReportedData& reported, const FitResul
     region.points.emplace_back(x, y);
     least = std::min(least, x);
     most = std::max(most, x);
+    lowest = std::min(lowest, y);
+    highest = std::max(highest, y);
   }
+  const double wide = 0.3 * (most - least), high = 0.3 * (highest - lowest), coupling = 1 - *nu.value;
   best.points.emplace_back(*II.value, *III.value);
-  for (const double x : {least, most}) circle.points.emplace_back(x, (1 - *nu.value) * x);
+  // the part of the line within the frame
+  const double first = std::max(least - wide, (lowest - high) / coupling),
+               last = std::min(most + wide, (highest + high) / coupling);
+  if (first < last) circle.points = {{first, coupling * first}, {last, coupling * last}};
   return Figure{.name = reported.stem + "_couplings_" + fit.model,
                 .title = "Couplings of modes II and III, model " + fit.model,
-                .x = {II.name, {}, {}},
-                .y = {III.name, {}, {}},
+                .x = {parameter_symbol(II.name), least - wide, most + wide},
+                .y = {parameter_symbol(III.name), lowest - high, highest + high},
                 .series = {std::move(region), std::move(circle), std::move(best)},
-                .caption = "The region by standard errors and correlation; on the dashed line contacts are circles."};
+                .caption =
+                    "The region by standard errors and correlation. Contacts are circles where lambda_III is (1 - "
+                    "nu) lambda_II" +
+                    std::string(first < last ? "." : ", outside this frame.")};
 }
 
 }  // namespace
