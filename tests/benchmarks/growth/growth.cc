@@ -1,6 +1,6 @@
 // growth [--largest=N] [--program=PATH ...] [TASK...]: time and memory of each task over a range of sizes, with the
-// exponent of growth. Tasks: reading, points, loads, replicates, threads, which call the library; columns, laws, sets,
-// runs, which run the program, that of this build or those at PATH. All by default.
+// exponent of growth. Tasks: reading, points, loads, replicates, threads, which call the library; columns, fits, laws,
+// sets, runs, which run the program, that of this build or those at PATH. All by default.
 #include <malloc.h>
 #include <sched.h>
 
@@ -197,9 +197,16 @@ int main(int argc, char** argv) {
     return [&programs, run](const Folder& folder) { run(folder, programs); };
   };
   const std::vector<std::pair<std::string, Run>> known{
-      {"reading", reading},        {"points", points},          {"loads", loads},
-      {"replicates", replicates},  {"threads", threads},        {"columns", of_programs(columns)},
-      {"laws", of_programs(laws)}, {"sets", of_programs(sets)}, {"runs", of_programs(runs)}};
+      {"reading", reading},
+      {"points", points},
+      {"loads", loads},
+      {"replicates", replicates},
+      {"threads", threads},
+      {"columns", of_programs(columns)},
+      {"fits", [&](const Folder& folder) { fits(folder, programs, powers(100000, 10000000)); }},
+      {"laws", of_programs(laws)},
+      {"sets", of_programs(sets)},
+      {"runs", of_programs(runs)}};
   std::vector<std::string> wanted;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];

@@ -106,6 +106,14 @@ void columns(const Folder& folder, const Programs& programs) {
   });
 }
 
+void fits(const Folder& folder, const Programs& programs, const std::vector<std::size_t>& sizes) {
+  program_table("rows of model c, read and fitted", sizes, programs, [&](std::size_t n) {
+    const std::string path = folder.path("fits_" + std::to_string(n) + ".csv");
+    write_csv(path, n, 10, 1, {"c", 0.02, 0.8, true});
+    return std::vector<std::string>{"fit", path, "--models=c"};
+  });
+}
+
 void laws(const Folder& folder, const Programs& programs) {
   program_table("laws of one's own, fitted and compared", {10, 20, 40, 80}, programs, [&](std::size_t n) {
     std::string texts, keys;

@@ -13,6 +13,8 @@ using Programs = std::vector<std::string>;
 
 /// A file with so many columns that mean nothing here, read and checked.
 void columns(const Folder& folder, const Programs& programs);
+/// So many rows of model c, read and fitted.
+void fits(const Folder& folder, const Programs& programs, const std::vector<std::size_t>& sizes);
 /// So many laws of one's own, fitted to one data set and compared.
 void laws(const Folder& folder, const Programs& programs);
 /// A report of so many data sets of 200 points.
