@@ -96,7 +96,7 @@ std::string exact_constants(const FitResult& fit) {
   }
   if (!worst) return {};
   return "The error does not include errors of " + names + ", taken as exact: a 5 % larger " + worst->constant +
-         " would shift " + parameter_symbol(parameter->name) + " by " +
+         " would shift " + parameter_in_text(parameter->name) + " by " +
          rounded(std::abs(*worst->effect) / *parameter->stderr_, 2) +
          " of its standard errors. State their standard errors, as in " + worst->constant + " = \"VALUE +/- ERROR\".";
 }
@@ -130,16 +130,16 @@ Answer answer_of(const Analysis& result) {
   for (const FittedParameter& fitted : fit.parameters) {
     if (fitted.prior || (fitted.held && !answer.result.empty())) continue;
     const FittedParameter one = readable(fitted);
-    answer.result += (answer.result.empty() ? "" : ", ") + parameter_symbol(one.name) + " = " +
+    answer.result += (answer.result.empty() ? "" : ", ") + parameter_in_text(one.name) + " = " +
                      with_error({one.value, one.stderr_}) + unit_text(one.unit);
   }
   const FittedParameter* const leading = leading_parameter(fit);
   if (leading && is_unknown(*leading))
-    answer.result = parameter_symbol(leading->name) + " is not determined by these data";
+    answer.result = parameter_in_text(leading->name) + " is not determined by these data";
   if (leading && leading->interval && leading->interval->low && leading->interval->high) {
     const FittedParameter one = readable(*leading);
     const double width = *one.interval->high - *one.interval->low;
-    answer.interval = rounded(100 * one.interval->confidence, 4) + " % interval of " + parameter_symbol(one.name) +
+    answer.interval = rounded(100 * one.interval->confidence, 4) + " % interval of " + parameter_in_text(one.name) +
                       " " + resolved(*one.interval->low, width) + " .. " + resolved(*one.interval->high, width) +
                       unit_text(one.unit);
   }

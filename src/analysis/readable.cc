@@ -41,7 +41,15 @@ std::string in_words(FitStatus status) {
 }
 
 std::string parameter_symbol(const std::string& name) {
-  return name == "lambda" ? "λ" : name == "eta" ? "η" : plain(name);
+  return name == "lambda"       ? "λ"
+         : name == "lambda_II"  ? "λ_{II}"
+         : name == "lambda_III" ? "λ_{III}"
+         : name == "eta"        ? "η"
+                                : plain(name);
+}
+
+std::string parameter_in_text(const std::string& name) {
+  return name == "lambda" ? "λ" : name == "eta" ? "η" : name;
 }
 
 std::string plain(std::string_view text) {

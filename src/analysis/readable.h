@@ -16,6 +16,8 @@ std::string in_words(FitStatus status);
 
 /// A parameter's letter, or its name: λ for "lambda".
 std::string parameter_symbol(const std::string& name);
+/// The same in a sentence, without the signs of figures.
+std::string parameter_in_text(const std::string& name);
 
 /// Escapes characters that gnuplot would read as markup.
 std::string plain(std::string_view text);
