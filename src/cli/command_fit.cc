@@ -8,6 +8,7 @@
 #include "analysis/judgement.h"
 #include "analysis/result_names.h"
 #include "analysis/run.h"
+#include "analysis/run_all.h"
 #include "base/files.h"
 #include "base/units.h"
 #include "cli/commands.h"
@@ -79,15 +80,11 @@ int run_fit(const Arguments& arguments) {
   const Shard shard = campaign_of(arguments);
   if (!FLAGS_save.empty() && requests.size() > 1) throw UsageError("flag '--save' needs exactly one data set");
   if (!FLAGS_save.empty()) require_definition_path(path_to_save());
-  std::vector<Analysis> results;
   bool all_ok = true;
   const Progress progress = progress_line("fit");
-  const auto all = static_cast<double>(requests.size());
-  for (const FitRequest& request : requests) {
-    const auto before = static_cast<double>(results.size());
-    results.push_back(run(request, stretch(progress, before / all, (before + 1) / all)));
-    all_ok &= can_be_believed(results.back());
-  }
+  std::vector<Analysis> results = run_all(
+      requests, [](const FitRequest& one, const Progress& part) { return run(one, part); }, progress);
+  for (const Analysis& one : results) all_ok &= can_be_believed(one);
   if (progress) progress(1);
   make_names_unique(results);
   std::string text;

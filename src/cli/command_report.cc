@@ -4,6 +4,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/reported_data.h"
+#include "analysis/run_all.h"
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
@@ -34,12 +35,8 @@ int run_report(const Arguments& arguments) {
   const Progress progress = progress_line("report");
   constexpr double kFits = 0.7;  // share of the time
   const std::vector<FitRequest> requests = requests_for(arguments);
-  const double share = kFits / static_cast<double>(requests.size());
-  std::vector<Analysis> results;
-  for (const FitRequest& request : requests) {
-    const auto before = static_cast<double>(results.size());
-    results.push_back(run_for_report(request, stretch(progress, share * before, share * (before + 1))));
-  }
+  const auto one = [](const FitRequest& request, const Progress& part) { return run_for_report(request, part); };
+  std::vector<Analysis> results = run_all(requests, one, stretch(progress, 0, kFits));
   const std::vector<ReportedData> data = reported_data(results);
   const WrittenReport written =
       write_report(results, data, FLAGS_out,
