@@ -254,7 +254,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   }
   // A course common to all runs is not a difference between them.
   const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
-  if (!of.to_beat && !shared)
+  if (!of.to_beat && !shared && of.fit.axes == 0)  // by_run knows areas alone
     for (const std::string& quantity : differing_quantities(of.fit))
       consider(of, of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
   for (Cause& one : list) one.misfit = misfit(one.fit);

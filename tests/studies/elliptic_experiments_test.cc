@@ -92,14 +92,25 @@ TEST(EllipticExperiments, IsTheRemedyWhereACircleIsFittedToAnEllipse) {
   EXPECT_EQ(circle.status, FitStatus::suspect);
   ASSERT_TRUE(circle.consistency && circle.consistency->circle);
   EXPECT_LT(circle.consistency->circle->ratio, 0.99);
-  EXPECT_NE(circle.message.text().find("the contact is no circle"), std::string::npos)
-      << circle.message.text();
+  EXPECT_NE(circle.message.text().find("the contact is no circle"), std::string::npos) << circle.message.text();
   EXPECT_EQ(fit_model(data, "c-ellipse").status, FitStatus::ok);
 
   const Dataset round = simulate(plan_of("c-ellipse", {0.02, 0.01, 0.5}), 3, 0);  // a circle: 0.01/(1 - 0.5)
   const FitResult fit = fit_model(round, "c");
   EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   EXPECT_GT(fit.consistency->circle->p_value, 1e-3);
+}
+
+/// One run has another toughness: the search for the cause tries nothing that axes do not know.
+TEST(EllipticExperiments, WithARunThatDiffersAreSuspect) {
+  Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 5, 0);
+  for (Point& point : data.points)
+    if (point.curve == 1) point.A *= 1.03;
+  FitOptions options;
+  FitResult fit = fit_and_test(data, "c-ellipse", options);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  find_cause(data, fit, options);
+  EXPECT_EQ(fit.message.text().find("by_run"), std::string::npos) << fit.message.text();
 }
 
 }  // namespace elliptic_experiments_test
