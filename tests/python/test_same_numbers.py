@@ -22,13 +22,20 @@ def shipped(root):
     return found
 
 
+def without_words(value):
+    """A result without its sentences, in which each door names options in its own way."""
+    if isinstance(value, dict):
+        return {key: without_words(one) for key, one in value.items() if key not in ("message", "remedy")}
+    return [without_words(one) for one in value] if isinstance(value, list) else value
+
+
 def test_of_every_shipped_set(root, program):
     sets = shipped(root)
     assert len(sets) >= 4
     for path in sets:
         done = subprocess.run([program, "fit", path, "--format=json"], capture_output=True, text=True, cwd=root)
         assert done.returncode in (0, 1), done.stderr
-        assert mixity.fit(mixity.read(path)).to_dict() == json.loads(done.stdout), path
+        assert without_words(mixity.fit(mixity.read(path)).to_dict()) == without_words(json.loads(done.stdout)), path
 
 
 def test_of_arrays(root, program, data, tmp_path):
