@@ -1,5 +1,5 @@
 #include "fitting/consistency.h"
-#include "fitting/circle_test.h"
+#include "fitting/circularity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "fitting/causes.h"
-#include "fitting/circle_test.h"
+#include "fitting/circularity.h"
 #include "fitting/heavy_points.h"
 
 namespace mixity {

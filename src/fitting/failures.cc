@@ -4,7 +4,7 @@
 #include "base/number_text.h"
 #include "base/units.h"
 #include "fitting/causes.h"
-#include "fitting/circle_test.h"
+#include "fitting/circularity.h"
 #include "fitting/consistency.h"
 #include "statistics/distributions.h"
 

@@ -1,4 +1,4 @@
-#include "fitting/circle_test.h"
+#include "fitting/circularity.h"
 
 #include <cmath>
 #include <vector>
