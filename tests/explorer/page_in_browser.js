@@ -435,6 +435,11 @@ async function main() {
   await idle(page);
   const after = await page.evaluate(() => window.explorer.experiment.kept[2][1]);
   expect(after === before - 6, `dragged to ${after}, not ${before - 6}`);
+  // the last position's fit, not one on the way there
+  await page.waitForFunction(() => {
+    const {kept, result} = window.explorer.experiment;
+    return result?.fits.datasets[0].used === kept.reduce((sum, [first, last]) => sum + last - first + 1, 0);
+  });
   const cropped = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
   if (shots) await page.screenshot({path: path.join(shots, 'cropped.png'), fullPage: true});
 
