@@ -7,7 +7,7 @@
 namespace mixity {
 namespace {
 
-std::string folded(std::string_view name) {
+std::string plain_letters(std::string_view name) {
   std::string letters;
   for (const char c : name)
     if (c != '-' && c != '_') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -36,13 +36,13 @@ std::size_t edits(std::string_view one, std::string_view other) {
 
 std::optional<std::string> nearest_name(std::string_view given, const std::vector<std::string>& names,
                                         std::size_t most) {
-  const std::string letters = folded(given);
+  const std::string letters = plain_letters(given);
   const std::size_t limit = std::clamp<std::size_t>(letters.size() / 3, 1, most);
   std::optional<std::string> nearest;
   std::size_t least = limit + 1;
   for (const std::string& name : names) {
     if (name == given) return std::nullopt;
-    const std::string other = folded(name);
+    const std::string other = plain_letters(name);
     const std::size_t longer = std::max(letters.size(), other.size());
     if (longer > std::min(letters.size(), other.size()) + limit) continue;
     const std::size_t distance = edits(letters, other);
