@@ -37,16 +37,16 @@ std::size_t edits(std::string_view one, std::string_view other) {
 std::optional<std::string> nearest_name(std::string_view given, const std::vector<std::string>& names,
                                         std::size_t most) {
   const std::string letters = plain_letters(given);
-  const std::size_t limit = std::clamp<std::size_t>(letters.size() / 3, 1, most);
   std::optional<std::string> nearest;
-  std::size_t least = limit + 1;
+  std::size_t least = most + 1;
   for (const std::string& name : names) {
     if (name == given) return std::nullopt;
     const std::string other = plain_letters(name);
     const std::size_t longer = std::max(letters.size(), other.size());
-    if (longer > std::min(letters.size(), other.size()) + limit) continue;
+    const std::size_t limit = std::clamp<std::size_t>(other.size() / 3, 1, most);
+    if (longer > std::min(letters.size(), other.size()) + limit) continue;  // a long text is not compared
     const std::size_t distance = edits(letters, other);
-    if (distance > least || distance >= longer) continue;
+    if (distance > std::min(limit, least) || distance >= longer) continue;
     nearest = distance < least ? std::optional(name) : std::nullopt;
     least = distance;
   }

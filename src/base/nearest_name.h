@@ -10,8 +10,8 @@
 namespace mixity {
 
 /// The one of the names that needs the fewest edits from the given one, without regard to case, '-' and '_'. An edit
-/// inserts, removes or replaces a letter, or swaps two neighbours. At most a third of the given letters are edited, at
-/// least 1 and at most `most`. Null if no name is as near, if several are equally near, if nothing of the given one
+/// inserts, removes or replaces a letter, or swaps two neighbours. The edits are at most a third of the name's letters,
+/// at least 1 and at most `most`. Null if no name is as near, if several are equally near, if nothing of the given one
 /// remains, and if it is one of the names.
 std::optional<std::string> nearest_name(std::string_view given, const std::vector<std::string>& names,
                                         std::size_t most = 3);

@@ -24,16 +24,17 @@ TEST(NearestName, IgnoresCaseHyphensAndUnderscores) {
   EXPECT_EQ(nearest_name("C", {"a", "b", "c"}), "c");
 }
 
-TEST(NearestName, IsWithinAThirdOfTheGivenLetters) {
+TEST(NearestName, IsWithinAThirdOfItsLetters) {
   const std::vector<std::string> names{"abcdefghijklmno"};
-  EXPECT_EQ(nearest_name("abcdefghijkl", names), names[0]);     // 3 of 12 letters
-  EXPECT_EQ(nearest_name("abcdefghijk", names), std::nullopt);  // 4 of 11: more than three edits
-  EXPECT_EQ(nearest_name("abcdefghijklmnopqrs", names), std::nullopt);
-  EXPECT_EQ(nearest_name("abxyef", {"abcdef"}), "abcdef");       // 2 of 6
-  EXPECT_EQ(nearest_name("axydef", {"abcdefg"}), std::nullopt);  // 3 of 6
-  EXPECT_EQ(nearest_name("ab", {"abc"}), "abc");                 // one edit is allowed for the shortest names
-  EXPECT_EQ(nearest_name("ax", {"abc"}), std::nullopt);
+  EXPECT_EQ(nearest_name("abcdefghijkl", names), names[0]);
+  EXPECT_EQ(nearest_name("abcdefghijk", names), std::nullopt);  // four edits, and a third of 15 letters would be five
+  EXPECT_EQ(nearest_name("modul", kNames), "modulus");          // 2 of 7
+  EXPECT_EQ(nearest_name("modxyz", kNames), std::nullopt);
+  EXPECT_EQ(nearest_name("abxyef", {"abcdef"}), "abcdef");  // 2 of 6
+  EXPECT_EQ(nearest_name("abxye", {"abcde"}), std::nullopt);
   EXPECT_EQ(nearest_name("abxyef", {"abcdef"}, 1), std::nullopt);
+  EXPECT_EQ(nearest_name("ax", {"ab"}), "ab");  // one edit is allowed for short names
+  EXPECT_EQ(nearest_name("axy", {"ab"}), std::nullopt);
 }
 
 TEST(NearestName, IsNoneWhereSeveralAreEquallyNear) {
