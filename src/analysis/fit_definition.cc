@@ -62,8 +62,15 @@ class Reader {
     else if (std::any_of(settings().begin(), settings().end(), [&](const Setting& one) { return one.name == name; }))
       read_option(name, node, request);
     else if (name != "laws")
-      fail(key, "unknown key \"" + name + "\" (known: data, runs, columns, " + names_of_options() +
-                    ", constants, laws, peaks, log_figures, source, published)");
+      fail_at_unknown(path_, key, known_keys());
+  }
+
+  static std::vector<std::string> known_keys() {
+    std::vector<std::string> keys{"data", "runs", "columns"};
+    for (const Setting& one : settings()) keys.push_back(one.name);
+    for (const char* other : {"constants", "laws", "peaks", "log_figures", "source", "published"})
+      keys.emplace_back(other);
+    return keys;
   }
 
   /// Whether a key outside the tables is that of a constant, as in a definition of data.
@@ -129,7 +136,7 @@ class Reader {
         else if (key == "sphere")
           run.sphere = text(value, "sphere");
         else
-          fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: file, name, load, sphere)");
+          fail_at_unknown(path_, key, {"file", "name", "load", "sphere"});
       }
       if (run.path.empty()) fail(entry, "a run needs a file");
       Metadata scratch;
@@ -149,8 +156,6 @@ class Reader {
     if (node.as_string()->get().find('\0') != std::string::npos) fail(node, key + " holds a NUL character");
     return node.as_string()->get();
   }
-
-  static std::string names_of_options() { return joined(texts_of(settings(), &Setting::name)); }
 
   /// The value as the text of an option: a list becomes comma-separated.
   std::string flag_text(const toml::node& node, const std::string& key) const {
@@ -210,8 +215,7 @@ class Reader {
         if (!value.is_table()) fail(value, std::string(name.str()) + " must be {value = ..., tolerance = ...}");
         const toml::table& table = *value.as_table();
         for (const auto& [key, ignored] : table)
-          if (key != "value" && key != "tolerance")
-            fail(key, "unknown key \"" + std::string(key.str()) + "\" (known: value, tolerance)");
+          if (key != "value" && key != "tolerance") fail_at_unknown(path_, key, {"value", "tolerance"});
         const double tolerance = number(table, "tolerance");
         if (tolerance < 0) fail(value, "the tolerance of " + std::string(name.str()) + " is negative");
         request.published[std::string(model.str())].push_back(
@@ -224,7 +228,7 @@ class Reader {
     const std::vector<std::string> known = model_keys();
     for (const auto& [model, published] : request.published) {
       if (std::find(known.begin(), known.end(), model) == known.end())
-        fail(*table.get("published"), "unknown model \"" + model + "\"");
+        fail(*table.get("published"), "unknown model \"" + model + "\"" + known_names(model, known_models()));
       if (std::find(request.models.begin(), request.models.end(), model) == request.models.end())
         fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");
       for (const Published& number : published)

@@ -122,8 +122,7 @@ class TomlReader {
     const toml::table* table = value.as_table();
     if (table)
       for (const auto& [key, ignored] : *table)
-        if (key != "range" && key != "start")
-          fail_at(path_, key, "unknown key \"" + std::string(key.str()) + "\" (known: range, start)");
+        if (key != "range" && key != "start") fail_at_unknown(path_, key, {"range", "start"});
     if (!table && !value.is_array())
       fail_at(
           path_, name,

@@ -4,6 +4,7 @@
 
 #include "analysis/laws.h"
 #include "analysis/setting_forms.h"
+#include "base/nearest_name.h"
 #include "mechanics/contact_model.h"
 
 namespace mixity {
@@ -40,7 +41,7 @@ struct Model : Name {
   static Complaint read(const std::string& model, std::vector<std::string>& models) {
     provide_law(model);
     if (is_model(model)) return Name::read(model, models);
-    return "names the unknown model " + in_quotes(model) + " (known: " + joined(known_models()) + ")";
+    return "names the unknown model " + in_quotes(model) + known_names(model, known_models());
   }
 };
 
@@ -94,8 +95,8 @@ struct Free {
       else if (has_parameter(model_keys(), name))
         request.free_parameters.push_back(name);
       else
-        return "names " + in_quotes(name) + ", which cannot be fitted (known: " + joined(kConstantNames) +
-               ", model parameters)";
+        return "names " + in_quotes(name) + ", which cannot be fitted" +
+               known_names(name, {kConstantNames.begin(), kConstantNames.end()}, "model parameters");
       return {};
     });
   }
@@ -111,7 +112,7 @@ struct Free {
 struct Drift {
   static Complaint read(const std::string& name, std::vector<Constant>& drift) {
     if (name != "modulus" && name != "toughness")
-      return "names " + in_quotes(name) + ", which has no drift (known: modulus, toughness)";
+      return "names " + in_quotes(name) + ", which has no drift" + known_names(name, {"modulus", "toughness"});
     drift.push_back(name == "modulus" ? kModulus : kToughness);
     return {};
   }
@@ -124,9 +125,8 @@ struct RunQuantity {
     const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
     const bool constant = found != kConstantNames.end() && !is_change(name);
     if (!constant && !has_parameter(model_keys(), name))
-      return "names " + in_quotes(name) +
-             ", which cannot differ from run to run (known: " + joined(std::span(kConstantNames).first(kModulusDrift)) +
-             ", model parameters)";
+      return "names " + in_quotes(name) + ", which cannot differ from run to run" +
+             known_names(name, {kConstantNames.begin(), kConstantNames.begin() + kModulusDrift}, "model parameters");
     return names.push_back(name), Complaint();
   }
   static std::string write(const std::string& name) { return name; }
@@ -163,7 +163,7 @@ struct Formats {
     if (text != "none") {
       Complaint problem = for_each_item(text, [&](const std::string& name) -> Complaint {
         if (name != "pdf" && name != "png" && name != "gnuplot")
-          return "names the unknown format " + in_quotes(name) + " (known: pdf, png, gnuplot, none)";
+          return "names the unknown format " + in_quotes(name) + known_names(name, {"pdf", "png", "gnuplot", "none"});
         (name == "pdf" ? wanted.pdf : name == "png" ? wanted.png : wanted.gnuplot) = true;
         return {};
       });
@@ -260,7 +260,8 @@ std::string set_option(FitRequest& request, std::string_view name, std::string_v
     if (problem.empty()) request.stated.insert(one.name);
     return problem;
   }
-  throw std::invalid_argument("there is no option '" + std::string(name) + "'");
+  throw std::invalid_argument("there is no option '" + std::string(name) + "'" +
+                              known_names(name, texts_of(settings(), &Setting::name)));
 }
 
 std::vector<std::pair<std::string, std::string>> stated_options(const FitRequest& request) {

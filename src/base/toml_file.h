@@ -4,9 +4,11 @@
 #include <toml++/toml.h>
 
 #include <string>
+#include <vector>
 
 #include "base/input_error.h"
 #include "base/inputs.h"
+#include "base/nearest_name.h"
 
 namespace mixity {
 
@@ -26,6 +28,12 @@ template <class Placed>
 [[noreturn]] void fail_at(const std::string& path, const Placed& node, const std::string& message) {
   const toml::source_position at = node.source().begin;
   throw InputError(path, at.line, at.column, message);
+}
+
+/// The same for a key that is none of the known ones.
+[[noreturn]] inline void fail_at_unknown(const std::string& path, const toml::key& key,
+                                         const std::vector<std::string>& known) {
+  fail_at(path, key, unknown_key(key.str(), known));
 }
 
 }  // namespace mixity

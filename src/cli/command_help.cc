@@ -110,9 +110,7 @@ int run_help(const Arguments& arguments) {
   }
   if (arguments[0] == "man") return print_manual_page(), kFine;
   if (arguments[0] == "completion") return print_completion(), kFine;
-  const Command* command = find_command(arguments[0]);
-  if (!command) throw UsageError("unknown command '" + arguments[0] + "' (see mixity help)");
-  explain(*command);
+  explain(find_command(arguments[0]));
   return kFine;
 }
 

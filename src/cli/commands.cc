@@ -3,6 +3,8 @@
 #include <iostream>
 
 #include "analysis/settings.h"
+#include "base/nearest_name.h"
+#include "base/phrases.h"
 #include "dataset/metadata.h"
 
 namespace mixity::cli {
@@ -116,10 +118,11 @@ std::span<const Command> commands() {
   return table;
 }
 
-const Command* find_command(std::string_view name) {
+const Command& find_command(const std::string& name) {
   for (const Command& command : commands())
-    if (command.name == name) return &command;
-  return nullptr;
+    if (command.name == name) return command;
+  throw UsageError("unknown command '" + name + "'" + did_you_mean(name, texts_of(commands(), &Command::name)) +
+                   " (see mixity help)");
 }
 
 void require_flags_only(const std::string& command, const Arguments& arguments) {

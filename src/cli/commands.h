@@ -54,8 +54,8 @@ struct Command {
 
 std::span<const Command> commands();
 
-/// Null for an unknown name.
-const Command* find_command(std::string_view name);
+/// Throws UsageError for an unknown name.
+const Command& find_command(const std::string& name);
 
 /// `flags`, followed by the flags of fits, laws and metadata, which several commands have.
 std::vector<std::string_view> with_fit_flags(std::vector<std::string_view> flags);

@@ -8,6 +8,7 @@
 #include "analysis/laws.h"
 #include "analysis/setting_forms.h"
 #include "analysis/settings.h"
+#include "base/nearest_name.h"
 #include "base/toml_file.h"
 
 DEFINE_string(format, "text", "output format");
@@ -85,6 +86,16 @@ void add_set(bool of_experiment, Overrides& overrides, std::span<const std::stri
   }
 }
 
+/// The flag of the command that was meant. A flag of another command is probably not misspelt, so that only the nearest
+/// counts: --models for --model, but not --modulus for --models.
+std::string meant_flag(const std::string& name, const Command& command) {
+  const bool of_another = std::any_of(commands().begin(), commands().end(), [&](const Command& other) {
+    return std::find(other.flags.begin(), other.flags.end(), name) != other.flags.end();
+  });
+  const auto nearest = nearest_name(name, {command.flags.begin(), command.flags.end()}, of_another ? 1 : 3);
+  return nearest ? ": did you mean --" + *nearest + "?" : "";
+}
+
 }  // namespace
 
 const std::string& command_line() { return given_command; }
@@ -114,8 +125,8 @@ Arguments parse_flags(const Command& command, const Arguments& words) {
     std::string name = word.substr(dashes, equals == std::string::npos ? equals : equals - dashes);
     std::replace(name.begin(), name.end(), '-', '_');
     if (std::find(command.flags.begin(), command.flags.end(), name) == command.flags.end())
-      throw UsageError("unknown flag '" + word.substr(0, equals) + "' (see mixity help " + std::string(command.name) +
-                       ")");
+      throw UsageError("unknown flag '" + word.substr(0, equals) + "'" + meant_flag(name, command) +
+                       " (see mixity help " + std::string(command.name) + ")");
     gflags::CommandLineFlagInfo info;
     gflags::GetCommandLineFlagInfo(name.c_str(), &info);
     if (info.type == "bool" && equals == std::string::npos) {
@@ -163,8 +174,7 @@ Overrides metadata_overrides(std::span<const std::string_view> except) {
 void require_model(const std::string& flag, const std::string& key) {
   provide_law(key);
   if (is_model(key)) return;
-  throw refused(
-      flag, (key.empty() ? "no model" : "unknown model '" + key + "'") + " (known: " + joined(known_models()) + ")");
+  throw refused(flag, (key.empty() ? "no model" : "unknown model '" + key + "'") + known_names(key, known_models()));
 }
 
 void define_laws_of_flags() {

@@ -28,13 +28,12 @@ int run(const Arguments& words) {
   }
   if (name == "--help" || name == "-help" || name == "-h") return run_help({});
   define_flags_of_tables();
-  const Command* command = find_command(name);
-  if (!command) throw UsageError("unknown command '" + name + "' (see mixity help)");
+  const Command& command = find_command(name);
   for (const std::string& word : words)
     if (word == "--help" || word == "-h") return run_help({name});
-  const Arguments arguments = parse_flags(*command, {words.begin() + 1, words.end()});
+  const Arguments arguments = parse_flags(command, {words.begin() + 1, words.end()});
   define_laws_of_flags();
-  return command->run(arguments);
+  return command.run(arguments);
 }
 
 int fail(const std::string& message, int code) {

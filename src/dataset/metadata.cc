@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/input_error.h"
+#include "base/nearest_name.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/constants.h"
@@ -136,11 +137,11 @@ std::string number_text(const MetadataField& field, double value, double error) 
 }
 
 /// All numbers, then all texts.
-std::string known_names() {
-  std::string known;
+std::vector<std::string> known_fields() {
+  std::vector<std::string> known;
   for (const bool numbers : {true, false})
     for (const MetadataField& field : kFields)
-      if ((field.number != nullptr) == numbers) known += (known.empty() ? "" : ", ") + std::string(field.name);
+      if ((field.number != nullptr) == numbers) known.emplace_back(field.name);
   return known;
 }
 
@@ -238,7 +239,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     return metadata.decimal = text[0], "";
   }
   const MetadataField* const field = find_field(name);
-  if (!field) return "unknown key " + quoted(name) + " (known: " + known_names() + ")";
+  if (!field) return unknown_key(name, known_fields());
   const auto uncertain = parse_uncertain(text);
   if (const std::string meant = two_readings(text); !uncertain && !meant.empty()) return given + "write " + meant;
   if (const std::string_view unit = unknown_unit(text); !uncertain && !unit.empty()) {

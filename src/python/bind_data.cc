@@ -108,11 +108,7 @@ void bind_data(nb::module_& m) {
     Inputs inputs;
     return constants_as_stated(with_definition({}, {{"definition", path}}, inputs));
   });
-  m.def("column_names", [] {
-    std::vector<std::string_view> names;
-    for (const ColumnKind& kind : kColumnKinds) names.push_back(kind.name);
-    return names;
-  });
+  m.def("column_names", &column_names);
   m.def("si_units", [] {  // units of columns and constants
     std::map<std::string_view, std::string_view> units;
     for (const ColumnKind& kind : kColumnKinds) units[kind.name] = si_unit(kind.dimension);

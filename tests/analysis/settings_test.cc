@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "analysis/fit_definition.h"
 #include "analysis/request.h"
@@ -110,6 +111,27 @@ TEST(Settings, FormatsOfFiguresAreAList) {
   EXPECT_EQ(set_option(request, "formats", "pdf,eps"),
             "names the unknown format 'eps' (known: pdf, png, gnuplot, none)");
   EXPECT_EQ(set_option(request, "formats", "pdf,pdf"), "names 'pdf' twice");
+}
+
+TEST(Settings, SuggestTheNameThatWasMeant) {
+  const auto begin_of = [](std::string_view name, const char* text) {
+    FitRequest request;
+    const std::string problem = set_option(request, name, text);
+    return problem.substr(0, problem.find(" (known:"));
+  };
+  EXPECT_EQ(begin_of("models", "Quadratc"), "names the unknown model 'Quadratc': did you mean quadratic?");
+  EXPECT_EQ(begin_of("free", "areascale"), "names 'areascale', which cannot be fitted: did you mean area_scale?");
+  EXPECT_EQ(begin_of("by_run", "Modulus"),
+            "names 'Modulus', which cannot differ from run to run: did you mean modulus?");
+  EXPECT_EQ(begin_of("drift", "thoughness"), "names 'thoughness', which has no drift: did you mean toughness?");
+  EXPECT_EQ(begin_of("formats", "gnuplots"), "names the unknown format 'gnuplots': did you mean gnuplot?");
+  try {
+    begin_of("modles", "c");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("there is no option 'modles': did you mean models? (known:"))
+        << error.what();
+  }
 }
 
 TEST(Settings, ThatDoNotGoTogetherAreNamed) {

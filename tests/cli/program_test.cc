@@ -64,10 +64,13 @@ TEST(Program, WithoutACommandItHelpsAndFails) {
 
 TEST(Program, BadUsageIsOneLineAndExitTwo) {
   for (const auto& [words, complaint] : std::vector<std::pair<Words, std::string>>{
-           {{"fitt"}, "unknown command 'fitt' (see mixity help)"},
+           {{"fitt"}, "unknown command 'fitt': did you mean fit? (see mixity help)"},
+           {{"help", "Simulat"}, "unknown command 'Simulat': did you mean simulate? (see mixity help)"},
            {{"--foo"}, "unknown command '--foo' (see mixity help)"},
            {{"help", "foo"}, "unknown command 'foo' (see mixity help)"},
            {{"fit", "--foo=1", "a.csv"}, "unknown flag '--foo' (see mixity help fit)"},
+           {{"fit", "--modles=c", "a.csv"}, "unknown flag '--modles': did you mean --models? (see mixity help fit)"},
+           {{"fit", "-model", "c"}, "unknown flag '-model': did you mean --models? (see mixity help fit)"},
            {{"check", "a.csv", "--models=c"}, "unknown flag '--models' (see mixity help check)"},
            {{"fit", "a.csv", "--flagfile=x"}, "unknown flag '--flagfile' (see mixity help fit)"},
            {{"fit"}, "fit needs a data CSV or a fit definition (see mixity help fit)"},
@@ -94,6 +97,9 @@ TEST(Program, BadUsageIsOneLineAndExitTwo) {
             "lambda is 'nan'; model c needs a number from 0 to 1"},
            {{"predict", "--model=z", "--lambda=0", "--load=1", "--shear=0"},
             "flag '--model': unknown model 'z' (known: a, b, c, bk, hutchinson_suo, linear, power, quadratic)"},
+           {{"predict", "--model=C", "--lambda=0", "--load=1", "--shear=0"},
+            "flag '--model': unknown model 'C': did you mean c? (known: a, b, c, bk, hutchinson_suo, linear, power, "
+            "quadratic)"},
            {{"predict", "--model=c", "--lambda=0.1", "--load=1 mN", "--shear=0"},
             "flag '--load' has a unit; that needs --radius, --modulus and --toughness"},
            {{"predict", "--model=c", "--lambda=0.1", "--load=1", "--shear=0,x"},

@@ -117,7 +117,8 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
            {"mode_III = \"\"", "1:12: mode_III is \"\"; it must be half or averaged"},
            {"mode_III = 1.5", "1:12: mode_III must be a string"},
            {"\nraduis = \"3 mm\"",
-            "2:1: unknown key \"raduis\" (known: radius, modulus, youngs_modulus, poisson_ratio, toughness, "
+            "2:1: unknown key \"raduis\": did you mean radius? (known: radius, modulus, youngs_modulus, poisson_ratio, "
+            "toughness, "
             "toughness_II, "
             "shear_strength, load_offset, shear_offset, area_offset, area_scale, force_gain, modulus_drift, "
             "toughness_drift, "

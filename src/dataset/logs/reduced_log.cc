@@ -272,10 +272,10 @@ std::map<std::string, StatedCut> read_cuts(const std::string& path) {
         } else if (item == "leave_out" && value.is_boolean())
           cut.leave_out = value.as_boolean()->get();
         else
-          fail_at(
-              path, item,
-              "unknown key \"" + std::string(item.str()) +
-                  "\" or a wrong kind of value (known: run, a text; shear and onset, times; leave_out, true or false)");
+          fail_at(path, item,
+                  "unknown key \"" + std::string(item.str()) + "\" or a wrong kind of value" +
+                      did_you_mean(item.str(), {"run", "shear", "onset", "leave_out"}) +
+                      " (known: run, a text; shear and onset, times; leave_out, true or false)");
       }
       if (name.empty()) fail_at(path, entry, "a cut needs the name of its run: run = \"P=4.68 mN\"");
       if (cut.shear && cut.onset && !(*cut.onset > *cut.shear))

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/units.h"
 
@@ -93,6 +95,12 @@ inline std::optional<ColumnId> column_named(std::string_view name) {
   for (const ColumnKind& kind : kColumnKinds)
     if (kind.name == name) return kind.id;
   return std::nullopt;
+}
+/// All names, in the order of the ids.
+inline std::vector<std::string> column_names() {
+  std::vector<std::string> names;
+  for (const ColumnKind& kind : kColumnKinds) names.emplace_back(kind.name);
+  return names;
 }
 
 /// Lengths that give a contact area pi one other/parts; `other` equals `one` for a round contact.

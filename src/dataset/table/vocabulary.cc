@@ -48,12 +48,13 @@ template <class TomlTable>
 void Vocabulary::add(const std::string& path, const TomlTable& table) {
   for (const auto& [key, lists] : table) {
     const auto id = column_named(key.str());
-    if (!id && key != "error") fail_at(path, key, "no quantity is called \"" + std::string(key.str()) + "\"");
+    if (!id && key != "error")
+      fail_at(path, key,
+              "no quantity is called \"" + std::string(key.str()) + "\"" + did_you_mean(key.str(), column_names()));
     if (!lists.is_table()) fail_at(path, lists, "must be a table with lists of symbols and names");
     for (const auto& [kind, list] : *lists.as_table()) {
       const bool symbols = kind == "symbols";
-      if (!symbols && kind != "names")
-        fail_at(path, kind, "unknown key \"" + std::string(kind.str()) + "\" (known: symbols, names)");
+      if (!symbols && kind != "names") fail_at_unknown(path, kind, {"symbols", "names"});
       if (!list.is_array()) fail_at(path, list, std::string(kind.str()) + " must be a list of strings");
       for (const toml::node& entry : *list.as_array()) {
         if (!entry.is_string()) fail_at(path, entry, std::string(kind.str()) + " must be a list of strings");
