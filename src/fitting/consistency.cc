@@ -1,5 +1,4 @@
 #include "fitting/consistency.h"
-#include "fitting/circularity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <set>
 
 #include "base/threads.h"
+#include "fitting/circularity.h"
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/pinned.h"
@@ -41,12 +41,12 @@ double trend_of(const std::vector<double>& t, const std::vector<double>& r) {
   return squares > 0 ? sum / std::sqrt(squares) : 0;
 }
 
-/// Products of neighbouring residuals: their sum, and the sum of their squares.
-std::pair<double, double> neighbour_products(const std::vector<double>& r) {
+/// Products of residuals that are `lag` points apart: their sum, and the sum of their squares.
+std::pair<double, double> products(const std::vector<double>& r, std::size_t lag) {
   double sum = 0, squares = 0;
-  for (std::size_t i = 0; i + 1 < r.size(); ++i) {
-    sum += r[i] * r[i + 1];
-    squares += std::pow(r[i] * r[i + 1], 2);
+  for (std::size_t i = 0; i + lag < r.size(); ++i) {
+    sum += r[i] * r[i + lag];
+    squares += std::pow(r[i] * r[i + lag], 2);
   }
   return {sum, squares};
 }
@@ -127,6 +127,7 @@ class Shears {
 };
 
 ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
+  constexpr std::size_t kFarthest = 6;  // lag; a wrong model bends residuals over more points than a filter averages
   ResidualTests tests;
   const Shears T(data, fit);
   const auto of_noise = [&](std::size_t i) { return unexpected(fit, i); };
@@ -148,7 +149,7 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     for (double& r : changed) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
   const std::vector<double>& residuals = changed.empty() ? fit.innovations : changed;
   const PointsByRun runs(data, fit.used);
-  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0;
+  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, farther = 0;
   EndsTest ends;
   for (std::size_t g = 0; g < runs.runs(); ++g) {
     if (runs.size(g) < ResidualTests::kLeastRun) continue;
@@ -169,7 +170,8 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
       square += r.back() * r.back();
     }
     if (data.has_loads) ends.add(t, r, repeats);
-    const auto [sum, of_squares] = neighbour_products(r);
+    const auto [sum, of_squares] = products(r, 1);
+    for (std::size_t lag = 2; lag <= std::min(kFarthest, r.size() / 4); ++lag) farther += products(r, lag).first;
     const ResidualTests::Run run{c < data.curves.size() ? data.curves[c] : std::string(), r.size(), runs_of_one_sign(r),
                                  square > 0 ? sum / square : 0, trend_of(t, r)};
     z += run.runs;
@@ -184,7 +186,10 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   tests.runs_p = normal_below(z / std::sqrt(m));
   tests.trend_p = chi_squared_p_value(trend, m);
   ends.finish(fit, tests);
-  if (squares > 0) tests.correlation = product / squares;
+  if (squares > 0) {
+    tests.correlation = product / squares;
+    tests.widening = std::sqrt(std::max(1 + 2 * (product + farther) / squares, 0.0));
+  }
   if (of_products > 0) tests.correlation_p = normal_below(-product / std::sqrt(of_products));
   return tests;
 }

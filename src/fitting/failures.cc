@@ -128,7 +128,7 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (tests.residuals.ends_p < kChance)
     return "the ends of the runs lie off the curve (z = " + rounded(tests.residuals.ends, 2) +
            "): points past the onset of sliding?";
-  if (!tests.residuals.coarse && (tests.residuals.runs_p < kChance || tests.residuals.correlation_p < kChance))
+  if (tests.residuals.neighbours_correlate(kChance))
     return "residuals of neighbouring points resemble each other (correlation " +
            rounded(tests.residuals.correlation, 2) +
            "): the model or a constant is wrong, or the points are not independent (" + Remedy::set("bootstrap") +

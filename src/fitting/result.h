@@ -127,6 +127,7 @@ struct ResidualTests {
   };
   std::vector<Run> runs;                                               // only those of at least kLeastRun points
   double correlation = 0, correlation_p = 1, runs_p = 1, trend_p = 1;  // over all runs
+  double widening = 1;  // standard error of a mean of the residuals, over that of independent ones
   /// Root mean square of the residuals, divided by the scatter of neighbouring points or of neighbouring residuals;
   /// null where that is not known.
   std::optional<double> over_scatter{}, over_neighbours{};
@@ -140,6 +141,12 @@ struct ResidualTests {
   double ends = 0, ends_p = 1;          // z of the residuals at the ends of the runs against the points before
   static constexpr double kEnd = 0.05;  // share of a run that is its end; at least one point
   static constexpr std::size_t kLeastRun = 8;
+
+  /// Whether neighbours correlate beyond `chance`, and so that the interval would be wider. A filter averages over a
+  /// few points, which an autoregressive memory describes only nearly: what remains is significant and harmless.
+  bool neighbours_correlate(double chance) const {
+    return !coarse && std::min(runs_p, correlation_p) < chance && moves_or_widens(0, widening);
+  }
 };
 
 /// Points beyond the last equilibrium of the fitted model in one run.
