@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/run_program.h"
+#include "cli/shown_lines.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity::cli {
@@ -204,6 +205,13 @@ TEST(Program, FilesAreWrittenWithoutLeftovers) {
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (Words{".mixity-files", "a_curves.csv", "a_residuals.csv", "fits.csv", "fits.json", "fits.txt"}));
+}
+
+TEST(FitCommand, PrintsWhatTheDocumentsShow) {
+  std::string printed = run_program({"fit", MIXITY_ROOT "/data/mergel2018.csv", "--models=c,b"}).out;
+  if (const std::size_t at = printed.find(MIXITY_ROOT "/"); at != std::string::npos)
+    printed.erase(at, std::string(MIXITY_ROOT "/").size());
+  EXPECT_GE(count_of_shown_lines(section_of("docs/statistics.md", "## Output of a fit"), printed), 20);
 }
 
 }  // namespace command_fit_test
