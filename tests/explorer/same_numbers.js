@@ -1,10 +1,11 @@
 // The engine for browsers, in Node, against the program: areas to 1e-12, lambda to 1e-9 of itself, on the shipped sets, on
-// runs in several files, workbooks, and the loading runs of logs.
+// runs in several files, workbooks, and the loading runs of logs. Of build/explorer/engine.js, or of the page that is named.
 'use strict';
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const {workbookOf} = require('./workbook.js');
+const {gunzipSync} = require('zlib');
 const {execFileSync} = require('child_process');
 const root = path.resolve(__dirname, '../..');
 const program = path.join(root, 'build/release/src/mixity');
@@ -191,7 +192,21 @@ function compareLogs(engine) {
   return worst;
 }
 
-require(path.join(root, 'build/explorer/engine.js'))().then(engine => {
+/// The engine of a page (assemble.mjs), in a file of the temporary folder.
+function engineOf(page) {
+  const html = fs.readFileSync(page, 'utf8');
+  const part = id => gunzipSync(Buffer.from(new RegExp(`<script[^>]* id="${id}"[^>]*>([^<]*)</script>`).exec(html)[1], 'base64'));
+  const before = 'data:application/octet-stream;base64,', script = part('engine').toString();
+  const at = script.lastIndexOf(before) + before.length, file = path.join(folder, 'engine.js');
+  fs.writeFileSync(file, script.slice(0, at) + part('compiled').toString('base64') + script.slice(at));
+  return file;
+}
+
+const page = process.argv[2];
+require(page ? engineOf(page) : path.join(root, 'build/explorer/engine.js'))().then(engine => {
+  const version = run(['--version']).trim();
+  expect(`mixity ${engine.version()}` === version, `the engine is of version ${engine.version()}, the program says '${version}'`);
+  if (page) expect(fs.statSync(page).size < 3e6, `${page} has ${fs.statSync(page).size} bytes; 3 MB is the limit`);
   engine.write('x.csv', 'P,T,A\n1,2,x\n');
   const wrong = fit(engine, ['x.csv'], {}, {});
   expect(/:2:5: column 'A': 'x' is not a number/.test(wrong.error), `a wrong file: ${JSON.stringify(wrong)}`);

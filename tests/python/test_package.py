@@ -5,6 +5,7 @@ import copy
 import doctest
 import graphlib
 import importlib
+import os
 import pathlib
 import pickle
 import shutil
@@ -449,3 +450,16 @@ def test_import_needs_numpy_alone():
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     for heavy in ("scipy", "matplotlib", "pandas", "lmfit", "pint", "logging"):
         assert f"'{heavy}'" not in found
+
+
+def test_the_page_is_part_of_the_package(tmp_path):
+    words = [sys.executable, "-m", "mixity"]
+    opened = tmp_path / "opened"
+    browser = tmp_path / "browser"
+    browser.write_text(f'#!/bin/sh\necho "$1" > {opened}\n')
+    browser.chmod(0o755)
+    done = subprocess.run([*words, "explorer"], env={**os.environ, "BROWSER": f"{browser} %s"}, capture_output=True, text=True, check=True)
+    page = pathlib.Path(done.stdout.strip())
+    assert "<title>mixity explorer</title>" in page.read_text(encoding="utf-8")
+    assert opened.read_text().strip() == page.as_uri()
+    assert subprocess.run(words, capture_output=True, text=True, check=False).returncode == 2

@@ -30,8 +30,7 @@ if(MIXITY_PROGRAM)
   install(FILES ${PROJECT_BINARY_DIR}/mixity.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME mixity.1)
   install(FILES ${PROJECT_BINARY_DIR}/mixity.completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
     RENAME mixity)
-  # made by tools/explorer, if it was
-  install(FILES ${PROJECT_SOURCE_DIR}/build/explorer/explorer.html DESTINATION ${CMAKE_INSTALL_DATADIR}/mixity OPTIONAL)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/explorer.html DESTINATION ${CMAKE_INSTALL_DATADIR}/mixity)
 endif()
 
 # cpack -G DEB, in the build's folder.
