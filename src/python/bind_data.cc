@@ -135,6 +135,13 @@ void bind_data(nb::module_& m) {
     const auto a = parse_unit(one), b = parse_unit(other);
     return a && b && a->factor == b->factor && a->dimension == b->dimension;
   });
+  m.def("size_of_unit", [](const std::string& name, const std::string& unit, const std::string& si) {
+    const auto of = parse_unit(unit), wanted = parse_unit(si);
+    const Dimension dimension = wanted ? wanted->dimension : dimension::none;
+    if (!of || of->dimension != dimension)
+      throw InputError(name, "is in '" + unit + "'; it must be in " + (si.empty() ? "no unit" : si));
+    return of->factor;
+  });
   m.def("forces", [](const std::string& name, const std::string& text) {
     std::vector<Quantity> all;
     for (const std::string_view one : split(text)) {

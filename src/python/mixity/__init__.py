@@ -10,7 +10,7 @@
 >>> round(fits["c"].params["lambda"].value, 4)
 0.0089
 
-Quantities are floats in SI, strings with units as in the program ("2.133 +/- 0.1 MPa"), or pint quantities.
+Quantities are floats in SI, strings with units as in the program ("2.133 +/- 0.1 MPa"), or quantities of pint, astropy, unyt or quantities.
 Invalid input raises :class:`InputError` with the program's message. ``logging.getLogger("mixity")`` gets the
 progress of fits (see :func:`fit`), and the notes of a data set as warnings.
 """

@@ -4,7 +4,8 @@ import numpy as np
 
 from . import _core
 from ._law import key_of
-from ._units import carries_units, plain_array, si_number
+from ._quantities import carries_units
+from ._units import plain_array, si_number
 
 
 class Units:

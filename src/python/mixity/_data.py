@@ -10,7 +10,8 @@ import numpy as np
 from . import _core
 from ._binary import tables
 from ._log import WARNING, listening
-from ._units import carries_units, constant_text, plain_array, si_unit
+from ._quantities import carries_units, si_unit
+from ._units import constant_text, plain_array
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,8 +26,12 @@ def _column(name, values, units):
         raise _core.InputError(f"arrays: column '{name}' is the text '{values}'; a percentage is an option of fit({name}=...)")
     # a copy, so that later changes of the array do not affect the data set
     array = np.array(plain_array(name, values), order="C")
+    if array.ndim == 2 and 1 in array.shape:  # a column or a row of a matrix
+        array = array.reshape(-1)
     if array.ndim != 1:
         raise _core.InputError(f"arrays: column '{name}' must have one dimension, not {array.ndim}")
+    if carries_units(values) and isinstance(units, dict) and name in units:
+        raise _core.InputError(f"arrays: column '{name}' has a unit of its own, and its heading or units says {units[name]}: state it once")
     unit = si_unit(name) if carries_units(values) or units == "SI" else "" if units is None else units.get(name, si_unit(name))
     return (f"{name} [{unit}]" if unit else name), array
 
@@ -50,8 +55,8 @@ class Dataset:
         Shown in texts and messages.
     **constants
         ``radius``, ``modulus`` (plane strain) or ``youngs_modulus`` and ``poisson_ratio``, ``toughness``, and the
-        others of the program's TOML: texts with units and errors, floats in SI, pairs (value, standard error), or pint
-        quantities. ``mode_III="averaged"`` is the convention of Johnson and of Waters & Guduru. ``definition``, a TOML as :func:`check` saves it, has those that are not given.
+        others of the program's TOML: texts with units and errors, floats in SI, pairs (value, standard error), or quantities
+        of pint, astropy, unyt or quantities, as may the columns be; they are converted to SI. ``mode_III="averaged"`` is the convention of Johnson and of Waters & Guduru. ``definition``, a TOML as :func:`check` saves it, has those that are not given.
 
     Raises
     ------
@@ -78,6 +83,7 @@ class Dataset:
         name = str(name)
         columns = [_column(column, values, units) for column, values in there.items()]
         if runs is not None:
+            runs = runs.to_pylist() if hasattr(runs, "to_pylist") else runs  # pyarrow
             columns.append(("curve", ["" if run is None or run != run else str(run) for run in runs]))
         stated = stated_constants(given)
         self._core = _core.from_arrays(name, columns, stated)

@@ -11,7 +11,8 @@ import numpy as np
 from . import _core, plots
 from ._data import Dataset
 from ._law import Law, define, definitions
-from ._units import carries_units, plain_array
+from ._quantities import carries_units
+from ._units import plain_array
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -146,7 +147,7 @@ class Fit(_Described):
         return A, low, high
 
     def _load(self, name: str, loads: Any) -> FloatArray:
-        """Dimensionless loads, from loads in the data's unit or pint quantities."""
+        """Dimensionless loads, from loads in the data's unit or quantities."""
         core = self.data._core
         array = plain_array(name, loads)
         if not carries_units(loads):

@@ -12,7 +12,8 @@ from ._data import Dataset
 from ._fits import Fits
 from ._law import Law, model_keys
 from ._log import DEBUG, INFO, listening
-from ._units import error_text, si_names
+from ._quantities import si_names
+from ._units import error_text
 
 _OPTIONS = {name: (help, initial) for name, help, initial in _core.options()}
 
@@ -62,7 +63,7 @@ def fit(
         Called with the fraction done, 0..1, on the calling thread; True: a tqdm bar if that is installed.
     **options
         The options of ``mixity fit``: sigma_T="2%", loss="cauchy", hold={"lambda": 0.3}, bootstrap=1000, per="curve",
-        exclude=[17], checks=False. ``sigma_T`` and ``sigma_A`` may be floats in SI (dimensionless as the data are) or pint
+        exclude=[17], checks=False. ``sigma_T`` and ``sigma_A`` may be floats in SI (dimensionless as the data are) or
         quantities.
 
     Returns

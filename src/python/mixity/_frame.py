@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Iterable, Mapping
 
-import numpy as np
-
 from . import _core
 from ._data import COLUMNS, Dataset
 
@@ -21,6 +19,23 @@ def _one_unit(name, heading, own, stated):
     return own
 
 
+def _headings(frame):
+    """The names of the columns; raises InputError where there are none."""
+    for attribute in ("colnames", "column_names"):  # astropy, pyarrow
+        if hasattr(frame, attribute):
+            return list(getattr(frame, attribute))
+    names = getattr(getattr(frame, "dtype", None), "names", None)  # a structured array
+    if names:
+        return list(names)
+    if hasattr(frame, "collect") and not hasattr(frame, "__len__"):  # polars' LazyFrame and others
+        raise _core.InputError(f"a {type(frame).__name__} has no values yet: give its collect()")
+    columns = getattr(frame, "columns", None)  # pandas, polars, and others
+    try:
+        return list(frame if columns is None else columns)  # a dict, xarray
+    except TypeError:
+        raise _core.InputError(f"a {type(frame).__name__} is no frame: it has no named columns") from None
+
+
 def from_frame(
     frame: Any,
     columns: Mapping[str, Any] | None = None,
@@ -30,11 +45,13 @@ def from_frame(
     name: str = "frame",
     **constants: Any,
 ) -> Dataset:
-    """A data set from a pandas DataFrame, or anything with named columns.
+    """A data set from a frame: of pandas, polars, pyarrow or xarray, an astropy table, a structured array, a dict of columns.
+
+    Units of the columns' quantities (pint-pandas, astropy, xarray's attribute ``units``) are kept.
 
     Parameters
     ----------
-    frame : DataFrame
+    frame : DataFrame or another object with named columns
     columns : dict, optional
         Columns of the quantities: ``{"P": "Normal force [mN]", "T": "Friction", "A": "Area"}``. By default the columns whose headings the
         program knows in a file, such as "T [mN]" or "Normal force (mN)".
@@ -50,11 +67,11 @@ def from_frame(
     InputError
         As for :class:`Dataset`, and for columns that are missing or unknown.
     """
-    headings = list(frame)
+    headings = _headings(frame)
     texts = list(map(str, headings))
 
     def named(heading):
-        if heading not in frame:
+        if heading not in headings:
             raise _core.InputError(f"{name}: has no column '{heading}'; there are {', '.join(texts)}")
         return heading
 
@@ -70,7 +87,7 @@ def from_frame(
             )
     if isinstance(runs, str):
         runs = frame[named(runs)]
-    elif runs is None and ("curve" in found or "curve" in frame):
+    elif runs is None and ("curve" in found or "curve" in headings):
         runs = frame[found["curve"][0] if "curve" in found else "curve"]
     taken = {column: one for column, one in found.items() if column in COLUMNS}
     stated = units if isinstance(units, dict) else dict.fromkeys(taken, "") if units is None else {}
@@ -79,7 +96,7 @@ def from_frame(
     }
     if units is None or isinstance(units, dict) or units == "SI":
         units = {**stated, **{column: unit for column, unit in of_columns.items() if unit is not None}}
-    given = {column: np.asarray(frame[heading]) for column, (heading, _) in taken.items()}
+    given = {column: frame[heading] for column, (heading, _) in taken.items()}
     try:
         return Dataset(**given, runs=runs, units=units, name=name, **constants)
     except _core.MissingColumn as error:

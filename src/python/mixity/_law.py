@@ -151,6 +151,11 @@ def _checked(f, names):
             array = np.empty(0, object)
         if array.dtype.kind not in "bfiu":
             raise _core.InputError(f"law: the function returned {reprlib.repr(found)}; it must return an array of f at each psi")
+        if array.dtype in (np.float32, np.float16):
+            raise _core.InputError(
+                f"law: the function returned {array.dtype}, which has too few digits for a fit; return float64 (with JAX: "
+                'jax.config.update("jax_enable_x64", True) before anything else)'
+            )
         if array.shape != psi.shape:
             raise _core.InputError(
                 f"law: for {psi.size} angles, an array of shape {psi.shape}, the function returned shape {array.shape}; "

@@ -29,13 +29,13 @@ class Plan:
     lam : float or tuple
         The guess; a tuple for a model with several parameters.
     loads : sequence of float, or str
-        Normal load of each run [N], a text with units ("1,4 mN") or pint quantities; empty to have them found.
+        Normal load of each run [N], a text with units ("1,4 mN") or quantities; empty to have them found.
     points : int
         Number of points per run, at equal steps of T from 0.
     reach : float
         The largest T, as a fraction of the T at which the contact jumps.
     sigma_T, sigma_A : str or float
-        Standard errors: "1%" of each value, or a quantity ("0.2 mN", "0.002 mm^2", floats in SI, pint quantities).
+        Standard errors: "1%" of each value, or a quantity ("0.2 mN", "0.002 mm^2", floats in SI, quantities).
     **constants
         As for :class:`mixity.Dataset`; those with an error are nuisance parameters with a prior.
 
