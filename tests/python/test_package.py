@@ -55,7 +55,7 @@ def test_refusals_are_sentences(data):
         (lambda: mixity.Dataset(P=[1], T=[1, 2], A=[1, 2], units=None), "column 'T' has 2 rows, 'P' has 1"),
         (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0]), "needs radius"),
         (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], radius="9 kg"), "^radius: radius is \"9 kg\"; the unit \"kg\" is not known; it must be a length"),
-        (lambda: mixity.Dataset(P=[[1.0]], T=[1.0], A=[1.0]), "must have one dimension"),
+        (lambda: mixity.Dataset(P=np.ones((2, 2)), T=[1.0], A=[1.0]), "must have one dimension"),
         (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], colour="red"), "unknown key"),
         (lambda: mixity.fit(data, models="x"), "unknown model 'x'"),
         (lambda: mixity.fit(data, confidence=2), "confidence"),
@@ -377,10 +377,10 @@ def test_lmfit_leaves_bounds_and_minds_expressions():
     pytest.importorskip("lmfit")
     T = np.linspace(0, 20, 30)
     A = mixity.area("c", 0.15, 2.0, T) * (1 + 0.01 * np.random.default_rng(3).standard_normal(30))
-    law = mixity.lmfit.model("c")
+    law = mixity.lmfit.model("c", contact=None)
     for start in ({}, {"lambda_": 0.0}, {"lambda_": 1.0}):
         assert law.fit(A, P=2.0, T=T, **start).params["lambda_"].value == pytest.approx(0.143, abs=0.002)
-    tied = mixity.lmfit.model("bk")
+    tied = mixity.lmfit.model("bk", contact=None)
     tied.set_param_hint("eta", expr="r*2/3")
     T, data = np.linspace(0, 10, 30), mixity.area("bk", (1.8, 1.2), 2.0, np.linspace(0, 10, 30))
     data = data * (1 + 0.002 * np.random.default_rng(3).standard_normal(30))
@@ -463,3 +463,19 @@ def test_the_page_is_part_of_the_package(tmp_path):
     assert "<title>mixity explorer</title>" in page.read_text(encoding="utf-8")
     assert opened.read_text().strip() == page.as_uri()
     assert subprocess.run(words, capture_output=True, text=True, check=False).returncode == 2
+
+
+def test_lmfit_asks_for_the_contact():
+    pytest.importorskip("lmfit")
+    with pytest.raises(mixity.InputError, match="contact=None if P, T and A are dimensionless"):
+        mixity.lmfit.model("c")
+
+
+def test_plots_tell_runs_apart():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    fit = mixity.fit(mixity.read("data/mergel2018.csv"), "c", checks=False)["c"]
+    for draw in (fit.plot_area, fit.plot_toughness, fit.plot_residuals):
+        ax = draw()
+        points = [one for one in ax.lines if one.get_marker() not in ("None", None) and one.get_linestyle() == "None" and str(one.get_label()).startswith("run ")]
+        assert len({(one.get_marker(), one.get_color()) for one in points}) == len(fit.data.runs) == len(points)
+        pyplot.close("all")

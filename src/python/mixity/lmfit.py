@@ -49,31 +49,42 @@ class _Area(lmfit.Model):
         ])
 
 
-def model(key: str | Law, *, contact: Any = None) -> lmfit.Model:
+_NOT_SAID = object()
+
+
+def model(key: str | Law, *, contact: Any = _NOT_SAID) -> lmfit.Model:
     """An ``lmfit.Model`` of the area: independent variables P and T, the model's parameters within their bounds.
 
     Parameters
     ----------
     key : str or Law
         A model with a law: "a", "b", "c", "bk", ...
-    contact : (radius [m], modulus [Pa], toughness [J/m^2]), optional
-        P, T in N and A in m^2; else dimensionless.
+    contact : (radius [m], modulus [Pa], toughness [J/m^2]) or None
+        P, T in N and A in m^2; None: dimensionless, as the models are. It must be given: data in N that are taken for
+        dimensionless loads fit without a complaint.
 
     Notes
     -----
     lmfit's default method, leastsq, uses the engine's derivatives. Beyond the last equilibrium the area at it is returned, so
     that a minimiser sees no NaN. For intervals that include the uncertainty of the constants, and for a status, use
-    :func:`mixity.fit`.
+    :func:`mixity.fit`: lmfit's ``conf_interval`` needs at least two parameters that vary.
+
+    Raises
+    ------
+    InputError
+        Without ``contact``, for an unknown model, and for constants that are not above 0.
 
     Examples
     --------
     >>> import numpy as np, mixity
     >>> T = np.linspace(0, 20, 30)
-    >>> law = mixity.lmfit.model("c")
+    >>> law = mixity.lmfit.model("c", contact=None)
     >>> result = law.fit(mixity.area("c", 0.15, 2.0, T), P=np.full(30, 2.0), T=T, **{"lambda_": 0.3})
     >>> round(result.params["lambda_"].value, 8)
     0.15
     """
+    if contact is _NOT_SAID:
+        raise _core.InputError("state contact=(radius [m], modulus [Pa], toughness [J/m^2]), or contact=None if P, T and A are dimensionless")
     units = Units(contact)
     key = key_of(key)
     if key not in _core.model_keys():

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 # As in the report; also distinct without colour.
 _STYLE = {"a": ("#0072b2", "--"), "b": ("#d55e00", "-."), "c": ("#009e73", "-"), "bk": ("#cc79a7", ":")}
+_RUN_COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#5b3a8c")
+_RUN_MARKERS = ("o", "s", "^", "D", "v", "x", "<", "+")  # eight beside seven colours: 56 runs before a pair repeats
+_MOST_IN_LEGEND = 12
 _POINTS: dict[str, Any] = {"linestyle": "none", "marker": "o", "fillstyle": "none", "color": "0.3", "markersize": 4}
 
 
@@ -39,11 +42,25 @@ def _style(fit):
     return _STYLE.get(fit.model, ("k", "-"))
 
 
+def _of_run(i):
+    """Colour and mark of a run."""
+    return {**_POINTS, "color": _RUN_COLOURS[i % len(_RUN_COLOURS)], "marker": _RUN_MARKERS[i % len(_RUN_MARKERS)]}
+
+
+def _draw_runs(ax, data, x, y, run):
+    """Points, a colour and a mark for each run; ``run``: that of each point."""
+    few = 1 < len(data.runs) <= _MOST_IN_LEGEND
+    for i, name in enumerate(data.runs):
+        label = f"run {name}" if few else "data" if i == 0 else None
+        ax.plot(x[run == i], y[run == i], label=label, **_of_run(i))
+
+
 def _finished(ax, x, y, legend=False):
     ax.set_xlabel(x)
     ax.set_ylabel(y)
     if legend:
-        ax.legend(frameon=False)
+        many = len(ax.get_legend_handles_labels()[0]) > 4  # would hide points: beside the axes
+        ax.legend(frameon=False, **({"loc": "upper left", "bbox_to_anchor": (1, 1)} if many else {}))
     return ax
 
 
@@ -71,7 +88,7 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
     ax = _axes(ax)
     colour, line = _style(fit)
     P, T, A, run = data.P, data.T, data.A, data.run_of_point
-    ax.plot(T, A, label="data", **_POINTS)
+    _draw_runs(ax, data, T, A, run)
     for i in range(len(data.runs)):
         load = np.median(P[run == i])
         jumps = fit.folds(load)
@@ -95,7 +112,7 @@ def toughness(fit: Any, ax: Axes | None = None) -> Axes:
     data = fit.data
     colour, line = _style(fit)
     psi = np.linspace(0, np.nanmax(data.psi) * 1.01, 300)
-    ax.plot(np.degrees(data.psi), data.toughness_ratio, label="data", **_POINTS)
+    _draw_runs(ax, data, np.degrees(data.psi), data.toughness_ratio, data.run_of_point)
     lam = tuple(fit.params[name].value for name in parameter_names(fit.model))
     interval = next(iter(fit.params.values())).interval
     if interval and None not in interval:
@@ -116,9 +133,10 @@ def residuals(fit: Any, ax: Axes | None = None) -> Axes:
     loads = data._core.has_loads
     x = data.T if loads else np.degrees(data.psi)
     ax.axhline(0, color="0.7", linewidth=1)
-    ax.plot(x[fit.used_points], fit.residuals, **_POINTS)
+    used = fit.used_points
+    _draw_runs(ax, data, x[used], fit.residuals, data.run_of_point[used])
     y = "residual [standard errors]" if fit.objective == "curve" else "residual"
-    return _finished(ax, _label("T", data.units["force"]) if loads else "psi [deg]", y)
+    return _finished(ax, _label("T", data.units["force"]) if loads else "psi [deg]", y, legend=len(data.runs) > 1)
 
 
 def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> Axes:
