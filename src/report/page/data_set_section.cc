@@ -137,6 +137,17 @@ const Figure* leading_figure(const ReportEntry& entry) {
   return nullptr;
 }
 
+/// Whether a figure is about one model alone, and not about the one that the page begins with: paper has no room for it.
+bool of_another_model(const Figure& figure, const ReportEntry& entry) {
+  const FitResult* const best = entry.data->answer.fit;
+  for (const FitResult& fit : entry.data->result.fits)
+    for (const char* const kind : {"_area_", "_profile_", "_runs_", "_regimes_"})
+      if (const std::string name = entry.data->stem + kind + fit.model;
+          figure.name == name || figure.name.starts_with(name + "_"))
+        return best && fit.model != best->model;
+  return false;
+}
+
 /// A data set that a reader opens; the line to click shows its name and result.
 std::string closed_set(const ReportEntry& entry, const std::string& content, bool open) {
   const Answer& answer = entry.data->answer;
@@ -158,7 +169,7 @@ std::string data_set_section(const ReportContent& content, const ReportEntry& en
   const Analysis& result = entry.data->result;
   const auto drawn = [&](const Figure& figure, bool beside_text) {
     return figure_element(figure, content.drawn.endings.at(figure.name),
-                          {"figures/", beside_text, !content.figures_inside});
+                          {"figures/", beside_text, !content.figures_inside, !of_another_model(figure, entry)});
   };
   const Figure* const leading = leading_figure(entry);
   std::string text = provenance_banner(result.data.metadata) +
@@ -178,9 +189,7 @@ std::string data_set_section(const ReportContent& content, const ReportEntry& en
   for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
   if (!reasons.empty()) text += folded_section("Figures left out", list_of(reasons));
   if (!content.figures_inside) return element("section", closed_set(entry, text, content.entries.size() == 1));
-  Attributes heading{{"id", entry.data->stem}};
-  if (&entry == &content.entries.front()) heading.insert(heading.begin(), {"class", "first"});
-  return element("section", element("h2", xml_escaped(result.data.name), heading) + text);
+  return element("section", element("h2", xml_escaped(result.data.name), {{"id", entry.data->stem}}) + text);
 }
 
 }  // namespace mixity

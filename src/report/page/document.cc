@@ -89,7 +89,9 @@ std::string figure_element(const Figure& figure, const std::vector<std::string>&
   content += element("figcaption", text_element("strong", with_powers(figure.title) + ". ") +
                                        xml_escaped(with_powers(figure.caption)) + " " +
                                        element("span", files, {{"class", "files"}}) + notes);
-  return element("figure", content, two ? Attributes{{"class", "wide"}} : Attributes{});
+  std::string classes = two ? "wide" : "";
+  if (!place.printed) classes += two ? " screen" : "screen";
+  return element("figure", content, classes.empty() ? Attributes{} : Attributes{{"class", classes}});
 }
 
 std::string html_page(const std::string& title, const std::string& body, Images images) {

@@ -30,6 +30,7 @@ struct FigurePlace {
   std::string folder;        // of the figure's files: "figures/" or ""
   bool beside_text = false;  // its width is limited
   bool in_file = false;      // the page refers to the figure's file instead of embedding the drawing
+  bool printed = true;
 };
 
 /// A figure with its caption and links to its files with these extensions. A wide one has a second drawing for phones.

@@ -74,10 +74,10 @@ summary { cursor: pointer; }
 .set > summary > * { display: inline-block; border: 0; padding: 0; margin: 0 .6rem 0 0; font-size: 1.05rem; vertical-align: top; }
 .set[open] { border-top: 2px solid var(--ink); padding-bottom: 2rem; }
 .narrow { display: none; }
-@media (max-width: 64rem) {
+@media screen and (max-width: 64rem) {
   .answer { grid-template-columns: minmax(0, 1fr); }
 }
-@media (max-width: 60rem) {
+@media screen and (max-width: 60rem) {
   .fits, .fits tbody, .fits tr, .fits td, .fits th { display: block; border: 0; padding: 0; }
   .fits thead { display: none; }
   .fits tr { border-top: 1px solid var(--line); padding: .6rem 0; }
@@ -86,7 +86,7 @@ summary { cursor: pointer; }
   .fits td::before { content: attr(data-label); color: var(--soft); grid-row: 1 / span 9; }
   .fits td div { grid-column: 2; }
 }
-@media (max-width: 46rem) {
+@media screen and (max-width: 46rem) {
   .figures { grid-template-columns: minmax(0, 1fr); }
   .broad { display: none; }
   .narrow { display: block; }
@@ -98,15 +98,34 @@ summary { cursor: pointer; }
 @media print {
   :root { --ink: #000; --paper: #fff; --soft: #333; --line: #bbb; --warn: #fff; --color-0: #000000; --color-1: #d55e00;
     --color-2: #0072b2; --color-3: #009e73; --color-4: #cc79a7; --color-5: #e69f00; --color-6: #56b4e9; --color-7: #7f7f7f; }
-  body { max-width: none; padding: 0; font-size: 10pt; }
+  @page { margin: 12mm 11mm; }
+  /* three figures in a row, captions small: a data set fills five pages at most */
+  body { max-width: none; padding: 0; font-size: 8.5pt; line-height: 1.35; }
+  p, ul, dl, .banner { max-width: none; }
   nav, .files { display: none; }
   ::details-content { content-visibility: visible; block-size: auto; }
   summary { list-style: none; }
-  h3, h4, .part > summary { break-after: avoid; }
+  h1 { font-size: 13pt; }
+  h2 { font-size: 12pt; margin: 3mm 0 2mm; padding-top: 1mm; }
+  section + section { break-before: page; }
+  h3, h4, .part > summary { break-after: avoid; margin: 3mm 0 1mm; font-size: 9.5pt; }
+  .part > summary { padding: 1.5mm 0; }
+  .part[open] { padding-bottom: 2mm; }
   .part > summary + * { break-before: avoid; }
-  h2 { break-before: page; }
-  h2.first { break-before: auto; }
-  table { font-size: 8pt; }
+  .answer { grid-template-columns: 1fr 1fr; gap: 4mm; margin: 2mm 0; break-inside: avoid; }
+  .answer svg { max-height: 85mm; }
+  .result { font-size: 14pt; }
+  .figures { grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 2.5mm; }
+  figure { padding: 1.5mm; border-radius: 0; }
+  figure.wide { grid-column: auto; }
+  figure.screen, .wide .broad { display: none; }
+  .wide .narrow { display: block; }
+  .wide .narrow svg { max-height: 58mm; }
+  .fits td:nth-child(2) { min-width: 60mm; }
+  figcaption { font-size: 6.5pt; line-height: 1.25; margin-top: 1mm; }
+  table { font-size: 7.5pt; }
+  th, td { padding: .8mm 2.5mm .8mm 0; }
+  tr { break-inside: avoid; }
 }
 )css";
 

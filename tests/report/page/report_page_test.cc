@@ -135,6 +135,23 @@ TEST(ReportPage, ShowsEveryFigureOnceWithLinksToItsFiles) {
   EXPECT_NE(text_of(page.first("//main")).find("regime map: the data are (psi, Gc)"), std::string::npos);
 }
 
+TEST(ReportPage, PrintsProfilesOfTheBestModelOnly) {
+  const ReportedData data = reported_data(shipped("waters_guduru2010"), "w");
+  ASSERT_EQ(data.result.fits.size(), 3u);
+  ReportContent content = content_of(data);
+  content.entries[0].figures = data_figures(data);
+  for (const FigureGroup& group : content.entries[0].figures.groups)
+    for (const Figure& figure : group.figures) content.drawn.endings[figure.name] = {".svg"};
+  const Parsed page(report_page(content));
+  for (const FitResult& fit : data.result.fits) {
+    const std::string link = "//figure[.//a/@href='figures/w_profile_" + fit.model + ".svg']";
+    const std::string classes = page.first(link.c_str()).attribute("class").value();
+    EXPECT_EQ(classes.find("screen") != std::string::npos, fit.model != data.answer.fit->model) << fit.model;
+  }
+  const std::string common = page.first("//figure[.//a/@href='figures/w_toughness.svg']").attribute("class").value();
+  EXPECT_EQ(common.find("screen"), std::string::npos);
+}
+
 TEST(ReportPage, SaysWhatIsMissingAndLinksWhatIsThere) {
   const ReportedData data = reported_data(shipped("as4_peek_mmb"), "w");
   ReportContent content = content_of(data);
