@@ -120,6 +120,6 @@ def constant_text(name, value):
     if len(texts) not in (1, 2):
         raise _core.InputError(
             f"'{name}' is no column, and as a constant it must be a number in SI, a text such as \"9.42 mm +/- 1%\", a pair of "
-            "value and standard error, or a pint quantity"
+            f"value and standard error, or a pint quantity{_core.did_you_mean(name, [*_core.column_names(), *si_names()])}"
         )
     return " +/- ".join(texts)
