@@ -1,16 +1,27 @@
 #include "analysis/contact_shape.h"
 
-#include <algorithm>
-
 #include "mechanics/contact_model.h"
 
 namespace mixity {
+namespace {
+
+bool states_ellipse(std::string_view name, const std::string& text) { return name == "shape" && means_ellipse(text); }
+
+}  // namespace
 
 bool means_ellipse(const std::string& text) { return text == "ellipse"; }
 
+bool take_ellipse(Overrides& constants) {
+  return std::erase_if(constants, [](const auto& one) { return states_ellipse(one.first, one.second); }) > 0;
+}
+
+std::string problem_of_constant(std::string_view name, const std::string& text) {
+  Metadata scratch;
+  return states_ellipse(name, text) ? "" : set_field(scratch, name, text);
+}
+
 void take_shape(FitRequest& request) {
-  const auto says_so = [](const auto& one) { return one.first == "shape" && means_ellipse(one.second); };
-  const bool stated = std::erase_if(request.constants, says_so) > 0;
+  const bool stated = take_ellipse(request.constants);
   for (std::string& key : request.models) {
     const auto model = ContactModel::find(key);
     if (!model) continue;

@@ -189,13 +189,10 @@ class Reader {
 
   void read_constants(const toml::node& node, FitRequest& request) const {
     if (!node.is_table()) fail(node, "constants must be a table");
-    Metadata scratch;
     for (const auto& [key, value] : *node.as_table()) {
       const std::string name(key.str());
       std::string given = value.is_string() || value.is_number() ? flag_text(value, name) : text(value, name);
-      const bool of_contacts = name == "shape" && means_ellipse(given);
-      if (const std::string problem = of_contacts ? "" : set_field(scratch, name, given); !problem.empty())
-        fail(value, problem);
+      if (const std::string problem = problem_of_constant(name, given); !problem.empty()) fail(value, problem);
       if (is_path(name)) given = beside(value, name);
       request.constants.emplace_back(name, given);
     }
@@ -225,9 +222,8 @@ class Reader {
   }
 
   void check_published(const toml::table& table, const FitRequest& request) const {
-    const std::vector<std::string> known = model_keys();
     for (const auto& [model, published] : request.published) {
-      if (std::find(known.begin(), known.end(), model) == known.end())
+      if (!is_model(model))
         fail(*table.get("published"), "unknown model \"" + model + "\"" + known_names(model, known_models()));
       if (std::find(request.models.begin(), request.models.end(), model) == request.models.end())
         fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
-#include <mutex>
-#include <numeric>
 
 #include "analysis/contact_shape.h"
 #include "analysis/judgement.h"
+#include "analysis/meter.h"
 #include "base/threads.h"
 #include "fitting/causes.h"
 #include "fitting/comparison.h"
@@ -15,31 +13,6 @@
 
 namespace mixity {
 namespace {
-
-/// Adds up the progress of parts that run in parallel. A part that restarts keeps the fraction it had reached.
-class Meter {
- public:
-  Meter(const Progress& progress, std::vector<double> costs)
-      : progress_(progress), costs_(std::move(costs)), done_(costs_.size()) {
-    for (const double cost : costs_) whole_ += cost;
-  }
-
-  /// Null if there is no callback.
-  Progress part(std::size_t i) {
-    if (!progress_) return {};
-    return [this, i](double fraction) {
-      const std::lock_guard lock(mutex_);
-      done_[i] = std::max(done_[i], fraction);
-      progress_(std::inner_product(done_.begin(), done_.end(), costs_.begin(), 0.0) / whole_);
-    };
-  }
-
- private:
-  const Progress& progress_;
-  std::vector<double> costs_, done_;
-  double whole_ = 0;
-  std::mutex mutex_;
-};
 
 /// Cost of the parts of a request, in refits: each model's fit, the comparison, each model's fits of single runs.
 std::vector<double> costs(const FitRequest& request, const Dataset& data) {

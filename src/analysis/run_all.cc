@@ -4,10 +4,10 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "analysis/meter.h"
 #include "base/threads.h"
 
 namespace mixity {
@@ -35,18 +35,13 @@ std::vector<Analysis> run_all(const std::vector<FitRequest>& requests,
   const std::size_t n = requests.size();
   std::vector<std::optional<Analysis>> found(n);
   std::vector<std::exception_ptr> failures(n);
-  std::vector<double> done(n);
   std::atomic<std::size_t> first_failure = n;
   std::mutex mutex;
+  Meter meter(progress, std::vector<double>(n, 1.0));
   const auto work = [&](std::size_t i) {
     if (i > first_failure) return;
-    const Progress part = !progress ? Progress() : [&, i](double fraction) {
-      const std::lock_guard lock(mutex);
-      done[i] = std::max(done[i], fraction);
-      progress(std::accumulate(done.begin(), done.end(), 0.0) / static_cast<double>(n));
-    };
     try {
-      found[i] = run_one(requests[i], part);
+      found[i] = run_one(requests[i], meter.part(i));
     } catch (...) {
       failures[i] = std::current_exception();
       const std::lock_guard lock(mutex);

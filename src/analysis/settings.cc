@@ -282,11 +282,7 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
         request.free_parameters.end())
       return Contradiction{"free", "names " + in_quotes(held.name) + ", which is to be held"};
   }
-  if (request.stated.contains("tie") &&
-      std::none_of(request.models.begin(), request.models.end(), [](const std::string& key) {
-        const auto model = ContactModel::find(key);
-        return model && model->is_elliptic();
-      }))
+  if (request.stated.contains("tie") && std::none_of(request.models.begin(), request.models.end(), is_elliptic))
     return Contradiction{"tie", "needs elliptic contacts (shape=ellipse)"};
   if (request.tied && !has_parameter(request.models, request.tied->name))
     return Contradiction{"tie", "names " + in_quotes(request.tied->name) + ", which no fitted model has"};

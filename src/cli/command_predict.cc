@@ -167,7 +167,7 @@ int run_predict(const Arguments& arguments) {
   const ContactModel model = model_from(FLAGS_model);
   if (model.is_elliptic())
     throw UsageError("--model=" + FLAGS_model + ": states of ellipses are predicted by --model=" +
-                     FLAGS_model.substr(0, FLAGS_model.find(kEllipse)) + " --shape=ellipse");
+                     std::string(model.circle().info().key) + " --shape=ellipse");
   if (is_elliptic())
     predict_ellipse(model);
   else if (is_set("approach"))

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 
+#include "analysis/contact_shape.h"
 #include "base/text.h"
 #include "dataset/metadata.h"
 
@@ -19,7 +20,7 @@ void print_numbers(std::initializer_list<double> numbers) {
   for (const double& one : numbers) std::cout << (&one == numbers.begin() ? "" : ",") << shortest(one);
 }
 
-bool is_elliptic() { return value_of("shape") == "ellipse"; }
+bool is_elliptic() { return means_ellipse(value_of("shape")); }
 
 OutputUnits output_units(bool of_ellipse) {
   // Mode III at the edge of an ellipse depends on Poisson's ratio, whatever states the modulus.

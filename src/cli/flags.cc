@@ -73,15 +73,12 @@ std::string shell_word(const std::string& word) {
 
 /// Adds the flags that were given: those about the experiment, or those about reading a file.
 void add_set(bool of_experiment, Overrides& overrides, std::span<const std::string_view> except = {}) {
-  Metadata scratch;
   for (const MetadataField& field : metadata_fields()) {
     if (field.of_experiment != of_experiment || !is_set(field.name)) continue;
     if (std::find(except.begin(), except.end(), field.name) != except.end()) continue;
     const std::string value = value_of(field.name);
-    // fits take it as the shape of contacts (contact_shape.h)
-    const bool of_contacts = field.name == "shape" && means_ellipse(value);
-    const std::string problem = of_contacts ? "" : set_field(scratch, field.name, value);
-    if (!problem.empty()) throw refused(field.name, problem);
+    if (const std::string problem = problem_of_constant(field.name, value); !problem.empty())
+      throw refused(field.name, problem);
     overrides.emplace_back(field.name, value);
   }
 }

@@ -31,8 +31,7 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   Plan plan;
   Overrides constants = data_overrides();
   plan.model = FLAGS_model;
-  if (std::erase_if(constants, [](const auto& one) { return one.first == "shape" && means_ellipse(one.second); }) > 0)
-    plan.model += kEllipse;
+  if (take_ellipse(constants)) plan.model += kEllipse;
   const ParameterValues p = parameters_from_flags(model_from(plan.model));
   plan.parameters.assign(p.begin(), p.end());
   plan.constants = stated_by(constants);

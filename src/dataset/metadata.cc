@@ -101,7 +101,12 @@ std::string read_mapping(std::string_view text, std::map<std::string, std::strin
   columns.clear();
   while (!trim(text).empty()) {
     const auto id = quantity_at(text);
-    if (!id) return "columns is " + quoted(text) + "; it must be a list such as \"P=Kanal 3 (mN),T=Kanal 4 (N)\"";
+    if (!id) {
+      const std::size_t equals = text.find('=');
+      const std::string meant =
+          equals == std::string_view::npos ? "" : did_you_mean(trim(text.substr(0, equals)), column_names());
+      return "columns is " + quoted(text) + "; it must be a list such as \"P=Kanal 3 (mN),T=Kanal 4 (N)\"" + meant;
+    }
     text.remove_prefix(text.find('=') + 1);
     std::size_t end = text.find(',');
     while (end != std::string_view::npos && !quantity_at(text.substr(end + 1))) end = text.find(',', end + 1);

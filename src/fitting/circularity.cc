@@ -11,8 +11,7 @@ namespace mixity {
 
 std::optional<CircleTest> test_circle(const Dataset& data, const FitResult& fit) {
   constexpr double kFewest = 8;
-  const auto model = ContactModel::find(fit.model);
-  if (data.axes.empty() || !data.has_loads || !model || model->is_elliptic()) return std::nullopt;
+  if (data.axes.empty() || !data.has_loads || is_elliptic(fit.model)) return std::nullopt;
   const PointPlaces places(data);
   double n = 0, s = 0, q = 0, ss = 0, sq = 0, qq = 0;
   std::vector<std::size_t> measured;

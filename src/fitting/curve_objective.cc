@@ -301,7 +301,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     }
   }
   for (std::size_t i = 0; i < axes.r.size(); ++i) {
-    const std::size_t row = axes_row_[index_of(begin + i)];
+    const std::size_t row = row_of_axes(index_of(begin + i));
     if (row == 0) continue;
     wanted.axes[row - points_.size] = axes.r[i];
     for (std::size_t k = 0; !wanted.jacobian.empty() && k < choice_.of_model().size(); ++k)
@@ -356,7 +356,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
       continue;
     }
     fill(to(i), {out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]});
-    if (const std::size_t row = axes_row_[index_of(begin + i)]; row > 0)
+    if (const std::size_t row = row_of_axes(index_of(begin + i)); row > 0)
       fill(row, {axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]});
   }
   return true;

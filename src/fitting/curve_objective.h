@@ -23,6 +23,8 @@ class CurveObjective final : public ModelProblem {
 
   /// Those of the points, then those of the axes that were measured.
   std::size_t residual_count() const override { return points_.size + axes_rows_; }
+  /// The row of a point's axes, which follow those of the points; 0: none.
+  std::size_t row_of_axes(std::size_t point) const { return axes_row_.empty() ? 0 : axes_row_[point]; }
   /// The norm of the data, T included.
   double data_norm() const override { return data_norm_; }
   std::vector<double> targets() const override;

@@ -25,8 +25,7 @@ std::vector<double> of_points(const std::vector<double>& all, const PointIndices
 /// Computes FitResult::log_variances.
 double log_variances(const Dataset& data, const PointIndices& used, const StandardErrors& errors);
 
-/// The same of the axes: their variances relative to those of the areas' share before the fit, as variance_ratios has
-/// it.
+/// The same of the axes: their variances relative to those of the areas' share before the fit (variance_ratio).
 double log_variances_of_axes(const Dataset& data, const PointIndices& used, const StandardErrors& errors);
 
 /// What is subtracted from the residuals before decorrelation: the expected distances, and the changes due to the runs'

@@ -203,15 +203,15 @@ void Fitter::fit_as_the_paper() {
 /// Starts at couplings above and below that of a circle. Areas alone hardly tell which mode has the larger one.
 void Fitter::start_at_circles() {
   constexpr double kRatio = 1.4;
-  const std::size_t n = prepared_.model.parameters().size(), half = (n - 1) / 2;
-  const auto circle = ContactModel::find(result_.model.substr(0, result_.model.find(kEllipse)));
-  if (!circle || n != 2 * half + 1) return;
+  const ContactModel circle = prepared_.model.circle();
+  const std::size_t n = prepared_.model.parameters().size(), half = circle.parameters().size();
+  if (n != 2 * half + 1) return;  // both modes share their parameters
   FitOptions options = value_only({});
   options.constants = prepared_.constants;
   options.fitted_errors = false;
   options.sigma_T = options_.sigma_T;
   options.sigma_A = options_.sigma_A;
-  const FitResult fit = Fitter(data_, *circle, options, Purpose::values, points_, nullptr).run();
+  const FitResult fit = Fitter(data_, circle, options, Purpose::values, points_, nullptr).run();
   if (!has_minimum(fit)) return;
   const double per_coupling = 1 / (1 - prepared_.base[n - 1]);
   for (const double ratio : {kRatio, 1 / kRatio}) {

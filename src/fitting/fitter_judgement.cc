@@ -109,10 +109,11 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   }
   if (!curve) result_.residuals = result_.innovations;
   if (result_.axes > 0) {
-    std::size_t row = result_.used.size();
-    for (const std::size_t point : result_.used)
-      result_.axes_residuals.push_back(std::isfinite(data_.axes[point].q) ? result_.innovations[row++]
-                                                                          : std::numeric_limits<double>::quiet_NaN());
+    const auto& objective = static_cast<const CurveObjective&>(*problem_);
+    for (std::size_t i = 0; i < result_.used.size(); ++i) {
+      const std::size_t row = objective.row_of_axes(i);
+      result_.axes_residuals.push_back(row > 0 ? result_.innovations[row] : std::numeric_limits<double>::quiet_NaN());
+    }
   }
   result_.innovations.resize(result_.used.size());
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());

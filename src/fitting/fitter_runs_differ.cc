@@ -137,13 +137,10 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
 
 /// The rows of axes belong to the runs of their points.
 void Fitter::add_rows_of_axes(Groups& groups) const {
-  std::vector<std::size_t> row_of(prepared_.used.size(), 0);
-  std::size_t next = prepared_.used.size();
-  for (std::size_t i = 0; i < row_of.size(); ++i)
-    if (std::isfinite(data_.axes[prepared_.used[i]].q)) row_of[i] = next++;
+  const auto& objective = static_cast<const CurveObjective&>(*problem_);
   for (std::vector<std::size_t>& group : groups)
     for (std::size_t k = 0, points = group.size(); k < points; ++k)
-      if (row_of[group[k]] > 0) group.push_back(row_of[group[k]]);
+      if (const std::size_t row = objective.row_of_axes(group[k]); row > 0) group.push_back(row);
 }
 
 /// Tests each quantity that is not fitted by run: does it differ in one run, in all, or with their order?

@@ -40,6 +40,13 @@ std::span<const ParameterInfo> ContactModel::parameters() const { return law_->p
 
 bool ContactModel::is_elliptic() const { return law_->ellipse != nullptr; }
 
+bool is_elliptic(std::string_view key) {
+  const auto model = ContactModel::find(key);
+  return model && model->is_elliptic();
+}
+
+ContactModel ContactModel::circle() const { return is_elliptic() ? ContactModel(law_->ellipse->circle) : *this; }
+
 std::optional<EndParameters> ContactModel::ends_of(ParameterSpan p) const {
   return law_->ellipse ? std::optional(elliptic::ends_of(*law_->ellipse, p)) : std::nullopt;
 }

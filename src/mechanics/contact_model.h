@@ -65,6 +65,8 @@ class ContactModel {
   /// Whether contacts are ellipses (ellipse.h). Areas are then pi a b, edge loads those of a circle of the same area;
   /// the functions that say so do not know ellipses.
   bool is_elliptic() const;
+  /// The same law with circular contacts; this model if its contacts are circles.
+  ContactModel circle() const;
   /// The parameters at both ends, and the states' axes. Null for circles.
   std::optional<EndParameters> ends_of(std::span<const double> p) const;
   static const std::vector<ContactModel>& published();
@@ -181,5 +183,8 @@ class ContactModel {
 
   std::shared_ptr<const AnyLaw> law_;
 };
+
+/// Whether the model with this key is known and has elliptic contacts.
+bool is_elliptic(std::string_view key);
 
 }  // namespace mixity

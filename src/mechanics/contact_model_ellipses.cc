@@ -32,7 +32,7 @@ void with_ellipse(const ContactModel& model, const AnyLaw& any, const EndParamet
 }  // namespace
 
 Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::span<const double> T) const {
-  if (law_->ellipse) return ContactModel(law_->ellipse->circle).ellipses(parameters, P, T);
+  if (is_elliptic()) return circle().ellipses(parameters, P, T);
   Ellipses result{std::vector<EllipseState>(T.size())};
   with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
     if (above_pull_off(P) < 0) {
@@ -52,20 +52,19 @@ Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::
 }
 
 EllipseEnds ContactModel::ellipse_ends(const EndParameters& parameters, double P) const {
-  if (law_->ellipse) return ContactModel(law_->ellipse->circle).ellipse_ends(parameters, P);
+  if (is_elliptic()) return circle().ellipse_ends(parameters, P);
   EllipseEnds result;
   with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
-    const double coupling = std::max(law.small_shear(mode_II), law.small_shear(mode_III));
-    if (above_pull_off(P) < 0 || !(coupling > 0)) return;
+    if (above_pull_off(P) < 0) return;
     EllipticContact<Law> contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
-    result = contact.ends(10 * circle_radius(P) / std::sqrt(coupling));
+    result = contact.ends(contact.far_shear());
   });
   return result;
 }
 
 EllipseSlopes ContactModel::ellipse_slopes(const EndParameters& parameters, double P, std::span<const double> T,
                                            std::span<const EllipseState> at) const {
-  if (law_->ellipse) return ContactModel(law_->ellipse->circle).ellipse_slopes(parameters, P, T, at);
+  if (is_elliptic()) return circle().ellipse_slopes(parameters, P, T, at);
   const std::size_t count = 3 + parameters.mode_II.size() + parameters.mode_III.size();
   const std::vector<double> none(count * at.size(), std::numeric_limits<double>::quiet_NaN());
   EllipseSlopes result{none, none};

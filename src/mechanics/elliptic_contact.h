@@ -20,7 +20,7 @@ class EllipticContact : private EllipticEquations<Law> {
   using typename Equations::Mark, typename Equations::Residuals;
 
  public:
-  using Equations::Equations;
+  using Equations::Equations, Equations::far_shear;
 
   EllipseState at(double T) {
     if (uncoupled() || T == 0) return state(edge_load_at(0) + P_, 0, T);
@@ -33,13 +33,10 @@ class EllipticContact : private EllipticEquations<Law> {
 
   /// Writes the derivatives of ln a and ln b (EllipseSlopes) at a state on the curve.
   void slopes(double T, double a, double b, double* of_a, double* of_b) const {
-    const double w = 4.0 / 3 * std::pow(a * b, 1.5), q = std::log(a / b);
-    const Residuals r = residuals(w - P_, q, T * T);
-    const double determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0];
-    // what a change of the residuals does to w and q
+    const double y = edge_load(std::sqrt(a * b), P_), w = y + P_, q = std::log(a / b);
+    const Residuals r = residuals(y, q, T * T);
     const auto write = [&](double first, double second) {
-      const double dw = -(first * r.q[1] - second * r.q[0]) / determinant,
-                   dq = -(r.w[0] * second - r.w[1] * first) / determinant;
+      const auto [dw, dq] = Equations::solved_at_S(r, {-first, -second});
       *of_a++ = dw / (3 * w) + 0.5 * dq;
       *of_b++ = dw / (3 * w) - 0.5 * dq;
     };
@@ -152,7 +149,7 @@ class EllipticContact : private EllipticEquations<Law> {
     }
     const double x = 0.5 * (below + above), phi = low.phi + x * h,
                  q = cubic(x, low.q, low.q_slope, high.q, high.q_slope);
-    const double nearly = 3 * pi<double>() + S0_ * std::cos(phi);
+    const double nearly = edge_load_at(phi);
     if (const auto found = newton_at(T, nearly, q); found && on_branch(found->first, low, high))
       return state(found->first + P_, found->second, T);
     // near the end Newton's method may leave the branch

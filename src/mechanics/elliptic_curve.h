@@ -141,13 +141,9 @@ class EllipticCurve : public EllipticEquations<Law> {
 
  private:
   static double square_of(const Vector& v) { return dot(v, v); }
-  static double area_of(double w) {
-    const double c = std::cbrt(0.75 * w);
-    return pi<double>() * c * c;
-  }
 
   Spot spot_of(const Mark& mark) const {
-    const double y = edge_load_at(mark.phi), w = y + P_, A = area_of(w);
+    const double y = edge_load_at(mark.phi), w = y + P_, A = area_from_edge_load(y, P_);
     const double w_slope = -S0_ * std::sin(mark.phi), w_bend = -S0_ * std::cos(mark.phi), per = 2 * A / (3 * w);
     return {mark.phi,
             w,
@@ -167,9 +163,8 @@ class EllipticCurve : public EllipticEquations<Law> {
     if (!found) return std::nullopt;
     const auto [y, there] = *found;
     const Residuals r = residuals(y, there, T * T);
-    const double determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0], A = area_of(y + P_);
-    const double dw = -2 * T * (r.S[0] * r.q[1] - r.S[1] * r.q[0]) / determinant,
-                 dq = -2 * T * (r.w[0] * r.S[1] - r.w[1] * r.S[0]) / determinant;
+    const auto [w_S, q_S] = Equations::solved_at_S(r, r.S);
+    const double A = area_from_edge_load(y, P_), dw = -2 * T * w_S, dq = -2 * T * q_S;
     return Spot{T, y + P_, there, T, A, 1, 2 * A / (3 * (y + P_)) * dw, dq, 0, true};
   }
 
@@ -305,8 +300,8 @@ class EllipticCurve : public EllipticEquations<Law> {
       const auto mark = mark_at(at, q, T);
       return mark ? std::optional(spot_of(*mark)) : std::nullopt;
     };
-    const double x0 = nearest_on_cubic(low, high, width, part, to), at_first = low.at + x0 * width;
-    double at = at_first;
+    const double x0 = nearest_on_cubic(low, high, width, part, to);
+    double at = low.at + x0 * width;
     std::optional<Spot> spot =
         solved(at, low.w + x0 * (high.w - low.w), cubic(x0, width, low.q, low.dq, high.q, high.dq),
                std::max(cubic(x0, width, low.T, low.dT, high.T, high.dT), 0.5 * std::min(low.T, high.T)));

@@ -42,10 +42,14 @@ class EllipticEquations {
   /// Whether shear does not affect the contact.
   bool uncoupled() const { return small_[0] == 0 && small_[1] == 0; }
 
+  /// Ten times the natural scale of T of the circle with the larger coupling: beyond it no end of a branch is looked
+  /// for, and a curve that runs to infinite T is cut. Infinite if uncoupled.
+  double far_shear() const { return 10 * S0_ / std::sqrt(std::max(small_[0], small_[1])); }
+
   Mark first_mark() const {
     if (uncoupled()) return {0, 0, 0, 0, 0};
     const Residuals r = residuals(edge_load_at(0), 0, 0);
-    return {0, 0, 0, 0, std::sqrt(std::max(0.5 * S0_ * solved(r, r.w).second, 0.0))};
+    return {0, 0, 0, 0, std::sqrt(std::max(0.5 * S0_ * solved_at_w(r, r.w).second, 0.0))};
   }
 
   double edge_load_at(double phi) const { return 3 * pi<double>() + S0_ * std::cos(phi); }  // of the circle: w - P
@@ -85,11 +89,12 @@ class EllipticEquations {
     return r;
   }
 
-  /// (x, y) with x r.q + y r.S = right.
-  static std::pair<double, double> solved(const Residuals& r, const double (&right)[2]) {
-    const double determinant = r.q[0] * r.S[1] - r.q[1] * r.S[0];
-    return {(right[0] * r.S[1] - right[1] * r.S[0]) / determinant,
-            (r.q[0] * right[1] - r.q[1] * right[0]) / determinant};
+  /// Steps of q and S at fixed w, (x, y) with x r.q + y r.S = right; and of w and q at fixed S, with x r.w + y r.q.
+  static std::pair<double, double> solved_at_w(const Residuals& r, const double (&right)[2]) {
+    return solved(r.q, r.S, right);
+  }
+  static std::pair<double, double> solved_at_S(const Residuals& r, const double (&right)[2]) {
+    return solved(r.w, r.q, right);
   }
 
   /// The mark at phi > 0, from a guess. Null if Newton's method does not arrive, or where K_I < 0.
@@ -102,13 +107,13 @@ class EllipticEquations {
     for (int i = 0; i < kMost; ++i) {
       const Residuals r = residuals(y, q, S);
       if (!(r.least > 0)) return std::nullopt;
-      const auto [dq, dS] = solved(r, r.value);
+      const auto [dq, dS] = solved_at_w(r, r.value);
       const double size = std::abs(dq) + std::abs(dS) / S;
       if (!std::isfinite(size)) return std::nullopt;
       q -= std::clamp(dq, -0.5, 0.5);
       S = std::max(S - dS, 0.25 * S);
       if (near && size <= kNear) {
-        const auto [q_w, S_w] = solved(r, r.w);
+        const auto [q_w, S_w] = solved_at_w(r, r.w);
         const double w_slope = -S0_ * std::sin(phi), root = std::sqrt(S);
         return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root)};
       }
@@ -131,9 +136,7 @@ class EllipticEquations {
     for (int i = 0; i < kMost; ++i) {
       const Residuals r = residuals(y, q, T * T);
       if (!(r.least > 0)) return std::nullopt;
-      const double determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0];
-      const double dw = (r.value[0] * r.q[1] - r.value[1] * r.q[0]) / determinant,
-                   dq = (r.w[0] * r.value[1] - r.w[1] * r.value[0]) / determinant;
+      const auto [dw, dq] = solved_at_S(r, r.value);
       const double size = std::abs(dw) / (y + P_) + std::abs(dq);
       if (!(size < 1)) return std::nullopt;
       y -= dw;
@@ -171,6 +174,11 @@ class EllipticEquations {
   }
 
  protected:
+  static std::pair<double, double> solved(const double (&x)[2], const double (&y)[2], const double (&right)[2]) {
+    const double determinant = x[0] * y[1] - x[1] * y[0];
+    return {(right[0] * y[1] - right[1] * y[0]) / determinant, (x[0] * right[1] - x[1] * right[0]) / determinant};
+  }
+
   const Law& law_;
   const Parameters<Law>* p_[2];
   double P_, S0_, poisson_ratio_;

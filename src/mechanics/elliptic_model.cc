@@ -97,8 +97,8 @@ void make_continuous(const EllipticModel& model, std::span<double> p) {
 
 namespace {
 
-/// Calls use(contact, i) for each point i, with the EllipticContact of its load and parameters, or null in its place
-/// where there is an obstacle, and use(null, i) below pull-off.
+/// Calls use(contact, i, valid) for each point i, with the EllipticContact of its load and parameters: null where there
+/// is an obstacle, which makes the point not valid, and below pull-off.
 template <class Use>
 void each_point(const EllipticModel& model, std::span<const Values> parameters, Values P, std::size_t n,
                 const Use& use) {
@@ -162,7 +162,6 @@ Equilibria equilibria(const EllipticModel& model, ParameterSpan p, double P, std
   with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
     std::optional<EllipticContact<Law>> contact;
     if (in_contact) contact.emplace(law, II, III, nu, P);
-    const auto edge_load_of = [&](double a, double b) { return 4.0 / 3 * std::pow(a * b, 1.5) - P; };
     bool beyond = false;
     for (const double shear : T) {
       Equilibrium& one = found.at.emplace_back(Equilibrium{valid && shear >= 0 && shear <= kLargestLoad
@@ -171,25 +170,23 @@ Equilibria equilibria(const EllipticModel& model, ParameterSpan p, double P, std
       if (!contact || one.status == EquilibriumStatus::invalid) continue;
       const EllipseState state = contact->at(shear);
       one.status = state.status;
-      if (state.status == EquilibriumStatus::ok) one.y = edge_load_of(state.a, state.b);
+      if (state.status == EquilibriumStatus::ok) one.y = edge_load(std::sqrt(state.a * state.b), P);
       beyond |= state.status == EquilibriumStatus::no_equilibrium;
     }
     if (!beyond || !contact) return;
     const auto end = contact->end(kLargestLoad);
     if (end)
-      found.last = StableBranch{3 * pi<double>() + circle_radius(P), 0, edge_load_of(end->a, end->b), end->T,
-                                end->kind == EllipseEnd::fold};
+      found.last = StableBranch{3 * pi<double>() + circle_radius(P), 0, edge_load(std::sqrt(end->a * end->b), P),
+                                end->T, end->kind == EllipseEnd::fold};
   });
   return found;
 }
 
 double first_stable_end(const EllipticModel& model, ParameterSpan p, double P) {
-  constexpr double kFarther = 10;  // than the circle's natural scale of T: as far as ContactModel::ellipse_ends looks
   if (!obstacle(model, p, P).empty() || above_pull_off(P) < 0) return 0;
   return with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
-    const double coupling = std::max(law.small_shear(II), law.small_shear(III));
-    if (!(coupling > 0)) return std::numeric_limits<double>::infinity();
-    const auto end = EllipticContact<Law>(law, II, III, nu, P).end(kFarther * circle_radius(P) / std::sqrt(coupling));
+    EllipticContact<Law> contact(law, II, III, nu, P);
+    const auto end = contact.end(contact.far_shear());
     return end ? end->T : std::numeric_limits<double>::infinity();
   });
 }
@@ -197,10 +194,13 @@ double first_stable_end(const EllipticModel& model, ParameterSpan p, double P) {
 std::vector<Fold> folds(const EllipticModel& model, ParameterSpan p, double P, Control control) {
   std::vector<Fold> list;
   if (control.kind == Control::Kind::stiffness || !obstacle(model, p, P).empty() || above_pull_off(P) < 0) return list;
-  const EllipseEnds ends = ContactModel::find(model.circle->info.key)->ellipse_ends(ends_of(model, p), P);
+  const auto ends = with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
+    EllipticContact<Law> contact(law, II, III, nu, P);
+    return contact.ends(contact.far_shear());
+  });
   const auto& end = control.kind == Control::Kind::load ? ends.load : ends.displacement;
   if (!end || end->kind != EllipseEnd::fold) return list;
-  const double y = 4.0 / 3 * std::pow(end->a * end->b, 1.5) - P, A = pi<double>() * end->a * end->b,
+  const double y = edge_load(std::sqrt(end->a * end->b), P), A = pi<double>() * end->a * end->b,
                after = P > 0 ? area_from_radius(hertz_radius(P)) : 0;
   Fold& fold = list.emplace_back();
   fold.control = control;
@@ -220,9 +220,9 @@ SampledCurve curve(const EllipticModel& model, ParameterSpan p, double P, const 
   SampledCurve sampled{{}, false};
   if (!obstacle(model, p, P).empty() || above_pull_off(P) < 0) return sampled;
   with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
-    const double coupling = std::max(law.small_shear(II), law.small_shear(III));
-    sampled.uncoupled = !(coupling > 0);
-    const double most = sampling.T_most.value_or(sampled.uncoupled ? 0 : 10 * circle_radius(P) / std::sqrt(coupling));
+    const EllipticEquations<Law> equations(law, II, III, nu, P);
+    sampled.uncoupled = equations.uncoupled();
+    const double most = sampling.T_most.value_or(sampled.uncoupled ? 0 : equations.far_shear());
     sampled.points = EllipticCurve<Law>(law, II, III, nu, P, most).sampled(most);
   });
   return sampled;
@@ -234,8 +234,7 @@ std::optional<double> shear_sensitivity(const EllipticModel& model, ParameterSpa
   return with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
     const EllipticEquations<Law> equations(law, II, III, nu, P);
     const auto r = equations.residuals(equations.edge_load_at(0), 0, 0);
-    const double w = equations.edge_load_at(0) + P, determinant = r.w[0] * r.q[1] - r.w[1] * r.q[0],
-                 w_S = -(r.S[0] * r.q[1] - r.S[1] * r.q[0]) / determinant;
+    const double w = equations.edge_load_at(0) + P, w_S = -equations.solved_at_S(r, r.S).first;
     const double alpha = -2 * area_from_edge_load(w - P, P) / (3 * w) * w_S;
     return alpha > 0 ? std::optional(alpha) : std::nullopt;
   });

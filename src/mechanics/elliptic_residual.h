@@ -36,14 +36,19 @@ class EllipticResidual {
   using Pair = std::array<double, 2>;
 
   EllipticResidual(const Curve& curve, double P, const Nearest& near, const EllipticReading& to)
-      : curve_(curve), P_(P), near_(near), to_(to), axes_(std::isfinite(to.sigma_q)), x_(curve.offset(near.spot, to)) {
-    const Vector t = along(near.spot);
-    const double sign = t[1] > 0 || (t[1] == 0 && t[0] < 0) ? -1 : 1;  // towards smaller areas
-    const double plane = std::hypot(t[0], t[1]);
-    size_ = std::hypot(plane, t[2]);
-    n1_ = {-sign * t[1] / plane, sign * t[0] / plane, 0};
-    n2_ = {-t[0] * t[2] / (plane * size_), -t[1] * t[2] / (plane * size_), plane / size_};
-    part_of_q_ = sign * t[2] / size_;
+      : curve_(curve),
+        P_(P),
+        near_(near),
+        to_(to),
+        axes_(std::isfinite(to.sigma_q)),
+        x_(curve.offset(near.spot, to)),
+        t_(along(near.spot)) {
+    const double sign = t_[1] > 0 || (t_[1] == 0 && t_[0] < 0) ? -1 : 1;  // towards smaller areas
+    const double plane = std::hypot(t_[0], t_[1]);
+    size_ = std::hypot(plane, t_[2]);
+    n1_ = {-sign * t_[1] / plane, sign * t_[0] / plane, 0};
+    n2_ = {-t_[0] * t_[2] / (plane * size_), -t_[1] * t_[2] / (plane * size_), plane / size_};
+    part_of_q_ = sign * t_[2] / size_;
     r_ = {Curve::dot(n1_, x_), Curve::dot(n2_, x_)};
     if (near.at_end) {
       const double on_plane = std::hypot(x_[0], x_[1]);
@@ -78,8 +83,8 @@ class EllipticResidual {
     return total({0, -1 / to_.sigma_A, slant * near_.spot.A}, {0, 0, slant * near_.spot.dA});
   }
   /// In the logarithms of the standard errors.
-  Pair by_sigma_T() const { return total({-x_[0], 0, 0}, {-along(near_.spot)[0], 0, 0}); }
-  Pair by_sigma_A() const { return total({0, -x_[1], 0}, {0, -along(near_.spot)[1], 0}); }
+  Pair by_sigma_T() const { return total({-x_[0], 0, 0}, {-t_[0], 0, 0}); }
+  Pair by_sigma_A() const { return total({0, -x_[1], 0}, {0, -t_[1], 0}); }
 
  private:
   Vector scaled(double T, double A, double q) const {
@@ -94,7 +99,6 @@ class EllipticResidual {
   Moves moves_at(const Spot& s) {
     const auto F = curve_.residuals(s.w - P_, s.q, s.T * s.T);
     const double w_A = Curve::load_per_area(s.A);
-    const double in_w_q = F.w[0] * F.q[1] - F.w[1] * F.q[0], in_q_S = F.q[0] * F.S[1] - F.q[1] * F.S[0];
     Moves moves{};
     std::size_t k = 0;
     curve_.each_derivative(s.w, s.q, s.T, [&](double first, double second) {
@@ -102,12 +106,10 @@ class EllipticResidual {
         const auto [dw, dq, dS] = move_of_end(F, first, second, k == 0 ? 1 : 0);
         moves[k++] = scaled(s.T > 0 ? dS / (2 * s.T) : 0, dw / w_A, dq);
       } else if (s.by_T) {
-        const double dw = -(first * F.q[1] - second * F.q[0]) / in_w_q,
-                     dq = -(F.w[0] * second - F.w[1] * first) / in_w_q;
+        const auto [dw, dq] = Curve::solved_at_S(F, {-first, -second});
         moves[k++] = scaled(0, dw / w_A, dq);
       } else {
-        const double dq = -(first * F.S[1] - second * F.S[0]) / in_q_S,
-                     dS = -(F.q[0] * second - F.q[1] * first) / in_q_S;
+        const auto [dq, dS] = Curve::solved_at_w(F, {-first, -second});
         moves[k++] = scaled(dS / (2 * s.T), 0, dq);
       }
     });
@@ -141,10 +143,9 @@ class EllipticResidual {
   Pair total(const Vector& move, const Vector& turn) const {
     Pair d{Curve::dot(n1_, move), Curve::dot(n2_, move)};
     if (!curved_) return d;
-    const Vector u = along(near_.spot);
-    const double shift = -(Curve::dot(turn, x_) + Curve::dot(u, move)) / (Curve::dot(bend_, x_) + size_ * size_);
+    const double shift = -(Curve::dot(turn, x_) + Curve::dot(t_, move)) / (Curve::dot(bend_, x_) + size_ * size_);
     const double T = bend_[0] * shift + turn[0], A = bend_[1] * shift + turn[1];
-    const double omega = (u[0] * A - u[1] * T) / (u[0] * u[0] + u[1] * u[1]) * part_of_q_;
+    const double omega = (t_[0] * A - t_[1] * T) / (t_[0] * t_[0] + t_[1] * t_[1]) * part_of_q_;
     return {d[0] + omega * r_[1], d[1] - omega * r_[0]};
   }
 
@@ -153,8 +154,8 @@ class EllipticResidual {
   const Nearest& near_;
   const EllipticReading& to_;
   bool axes_, curved_ = false;
-  Vector x_, n1_{}, n2_{}, bend_{};
-  double size_ = 0, part_of_q_ = 0;  // of the tangent: its length, and its part along q
+  Vector x_, t_, n1_{}, n2_{}, bend_{};  // offset, tangent, normals
+  double size_ = 0, part_of_q_ = 0;      // of the tangent: its length, and its part along q
   Pair r_{};
   Moves moves_{}, turns_{};
   std::size_t count_ = 0;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/nearest_name.h"
 #include "dataset/arrays.h"
 #include "dataset/pooled.h"
 #include "dataset/table/column_kinds.h"
@@ -109,6 +110,9 @@ void bind_data(nb::module_& m) {
     return constants_as_stated(with_definition({}, {{"definition", path}}, inputs));
   });
   m.def("column_names", &column_names);
+  m.def("did_you_mean", [](const std::string& given, const std::vector<std::string>& names) {
+    return did_you_mean(given, names);  // empty without a near name
+  });
   m.def("si_units", [] {  // units of columns and constants
     std::map<std::string_view, std::string_view> units;
     for (const ColumnKind& kind : kColumnKinds) units[kind.name] = si_unit(kind.dimension);

@@ -6,6 +6,7 @@
 #include "analysis/readable.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
+#include "mechanics/contact_model.h"
 #include "report/fit_text.h"
 
 namespace mixity {
@@ -182,13 +183,12 @@ std::vector<std::string> assumptions(const Analysis& result) {
   const Objective objective = objective_of(result);
   std::vector<std::string> list;
   if (data.has_loads)
-    list.emplace_back(
-        std::string(std::any_of(result.fits.begin(), result.fits.end(),
-                                [](const FitResult& fit) { return fit.model.find(kEllipse) != std::string::npos; })
-                        ? "A circular or, where the model says so, elliptic contact of a sphere"
-                        : "A circular contact of a sphere") +
-        " on a half-space, without slip and in equilibrium at every point; linear "
-        "elasticity, short-range adhesion (JKR), nu = 1/2 for the tangential displacement.");
+    list.emplace_back(std::string(std::any_of(result.fits.begin(), result.fits.end(),
+                                              [](const FitResult& fit) { return is_elliptic(fit.model); })
+                                      ? "A circular or, where the model says so, elliptic contact of a sphere"
+                                      : "A circular contact of a sphere") +
+                      " on a half-space, without slip and in equilibrium at every point; linear "
+                      "elasticity, short-range adhesion (JKR), nu = 1/2 for the tangential displacement.");
   if (data.has_loads)
     list.push_back("Mode III at the edge: " + mode_III_text(data.metadata) +
                    (data.metadata.mode_III == ModeIII::averaged

@@ -30,6 +30,17 @@ TEST(FitDefinition, NamesNoModelThatDoesNotExist) {
         << line;
 }
 
+TEST(FitDefinition, StatesPublishedNumbersOfEllipticModelsToo) {
+  const TemporaryFolder folder;
+  const std::string number = ".lambda_II]\nvalue = 0.004\ntolerance = 0.001\n";
+  for (const char* models : {"models = [\"c-ellipse\"]\n", "models = [\"c\"]\nconstants = {shape = \"ellipse\"}\n"}) {
+    const FitRequest request = read_fit_definition(
+        folder.write("fit.toml", "data = \"a.csv\"\n" + std::string(models) + "[published.c-ellipse" + number));
+    ASSERT_EQ(request.published.count("c-ellipse"), 1U) << models;
+    EXPECT_EQ(request.published.at("c-ellipse").at(0).name, "lambda_II");
+  }
+}
+
 TEST(FitDefinition, IsNamedWhereNoFileMatchesItsPattern) {
   const TemporaryFolder folder;
   const std::string path = folder.write("fit.toml", "\ndata = \"none_*.csv\"\n");

@@ -83,6 +83,11 @@ TEST(EllipticModel, IsFoundUnderTheKeyOfItsLaw) {
   EXPECT_EQ(two.parameters()[1].name, "lambda_III");
   EXPECT_EQ(two.parameters()[2].name, "poisson_ratio");
   EXPECT_EQ(one.parameters().size(), model("bk").parameters().size() + 1);
+  EXPECT_EQ(two.circle().info().key, "c");
+  EXPECT_EQ(one.circle().info().key, "bk");
+  EXPECT_EQ(model("c").circle().info().key, "c");
+  EXPECT_TRUE(is_elliptic("c-ellipse") && is_elliptic("bk-ellipse-equal"));
+  EXPECT_FALSE(is_elliptic("c") || is_elliptic("nothing-ellipse"));
   EXPECT_FALSE(ContactModel::find("c-ellipse-ellipse"));
   EXPECT_FALSE(ContactModel::find("nothing-ellipse"));
   EXPECT_EQ(model("c-ellipse").obstacle(ParameterValues{0.1, 0.1, 0.6}), "poisson_ratio must lie between 0 and 0.5");

@@ -46,6 +46,20 @@ def test_headings_of_a_frame_are_those_of_a_file(data):
         mixity.from_frame({"x": [1.0], 7: [2.0]})
 
 
+def test_a_misspelt_keyword_is_refused_with_the_one_that_was_meant(data, frame):
+    columns = dict(P=data.P, T=data.T, A=data.A)
+    with pytest.raises(mixity.InputError, match=r"'simga_T' is no column, .*: did you mean sigma_T\?$"):
+        mixity.Dataset(**columns, simga_T=data.T, **CONSTANTS)
+    with pytest.raises(mixity.InputError, match=r'unknown key "raduis": did you mean radius\?'):
+        mixity.Dataset(**columns, raduis="9.42 mm")
+    with pytest.raises(mixity.InputError, match=r"units: 'sigma_t' is no column; there are .*: did you mean sigma_T\?$"):
+        mixity.Dataset(**columns, sigma_T=data.T, units={"sigma_t": "mN"}, **CONSTANTS)
+    with pytest.raises(mixity.InputError, match=r"has no column 'A \[mm2\]'; there are .*: did you mean A \[mm\^2\]\?$"):
+        mixity.from_frame(frame, {"P": "P [mN]", "T": "T [mN]", "A": "A [mm2]"}, **CONSTANTS)
+    with pytest.raises(ValueError, match=r"there is no option 'modles': did you mean models\?"):
+        mixity.fit(data, modles="c")
+
+
 def test_arrays_without_units_beside_constants_are_refused_with_the_argument():
     with pytest.raises(mixity.InputError, match=r'say the units, such as units=\{"P": "mN", "T": "mN", "A": "mm\^2"\}'):
         mixity.Dataset(P=[1, 1], T=[0, 1], A=[8, 7], units=None, **CONSTANTS)

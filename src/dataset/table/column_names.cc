@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/input_error.h"
+#include "base/nearest_name.h"
 #include "base/text.h"
 #include "dataset/table/channel_clocks.h"
 #include "dataset/table/column_advice.h"
@@ -49,6 +50,15 @@ std::string without_units(const std::vector<Heading>& headings, const std::map<s
   return text;
 }
 
+/// ": did you mean HEADING?" or, where the heading goes on with a quantity that is misspelt, as in "Load,Z=Shear", what
+/// that is.
+std::string misspelt_in(const std::string& wanted, const std::string& heading, const std::vector<std::string>& known) {
+  const std::size_t comma = wanted.rfind(','), equals = wanted.rfind('=');
+  if (comma == std::string::npos || equals == std::string::npos || equals < comma) return did_you_mean(heading, known);
+  const std::string quantity(trim(std::string_view(wanted).substr(comma + 1, equals - comma - 1)));
+  return "; '" + printable(quantity, 40) + "' is no quantity" + did_you_mean(quantity, column_names());
+}
+
 NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& headings, ColumnId id,
                           const std::map<std::string, std::string>& mapping) {
   const std::string& wanted = mapping.at(name_of(id));
@@ -56,11 +66,14 @@ NamedColumn mapped_column(const std::string& path, const std::vector<Heading>& h
   const std::optional<std::size_t> found = find_mapped(path, headings, id, wanted);
   if (!found) {
     std::string names;
-    for (const Heading& heading : headings)
+    std::vector<std::string> known;
+    for (const Heading& heading : headings) {
       if (!heading.text.empty()) names += (names.empty() ? "'" : ", '") + printable(heading.text, 40) + "'";
+      known.push_back(printable(heading.name, 40));
+    }
     throw InputError(path, headings.empty() ? 1 : headings.front().place.line, 1,
                      "no column '" + wanted + "', which is mapped to " + name_of(id) + "; there are " +
-                         (names.empty() ? "none with a name" : names));
+                         (names.empty() ? "none with a name" : names) + misspelt_in(wanted, given.name, known));
   }
   NamedColumn column{id, *found, headings[*found]};
   if (given.unit) {

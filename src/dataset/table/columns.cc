@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "base/input_error.h"
+#include "base/nearest_name.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/table/column_advice.h"
@@ -152,6 +153,10 @@ void Columns::find_unused(const std::vector<Heading>& headings, const std::vecto
     auto id = column_named(heading.name);
     if (const auto read = id ? std::nullopt : rules.known_names().read(heading, i)) id = read->id;
     if (!id) id = rules.known_names().find(heading.name);
+    if (const auto meant = id ? std::nullopt : meant_column(heading)) {
+      unused.emplace_back(name, "did you mean " + std::string(to_string(*meant)) + "?");
+      continue;
+    }
     if (!id || is_clock(*id) || (has(*id) && !beside.empty())) continue;
     const std::string quantity(to_string(*id));
     if (const Column* const other = find(*id))
@@ -161,6 +166,13 @@ void Columns::find_unused(const std::vector<Heading>& headings, const std::vecto
     else
       unused.emplace_back(name, "it may be " + quantity + ", which these columns do not need");
   }
+}
+
+std::optional<ColumnId> Columns::meant_column(const Heading& heading) const {
+  const auto nearest = nearest_name(heading.name, column_names());
+  const auto id = nearest ? column_named(*nearest) : std::nullopt;
+  const bool optional = id && (*id >= ColumnId::sigma_T || id == ColumnId::angle) && !is_clock(*id);
+  return optional && !has(*id) && unit_fits(heading.unit, *id) ? id : std::nullopt;
 }
 
 void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used) {

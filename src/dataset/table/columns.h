@@ -54,7 +54,7 @@ struct Columns {
   std::size_t count = 0;             // fields in the header, up to the last with a name
   std::size_t needed = 0;            // of them, up to the last that is read
   std::vector<std::string> ignored;  // names of columns that are not read
-  /// Ignored columns with known names, except times, and why they are ignored.
+  /// Ignored columns with known or misspelt names, except times, and why they are ignored.
   std::vector<std::pair<std::string, std::string>> unused;
   std::map<std::string, std::string> mapped;  // each quantity that is read, to its column in another such table
   std::vector<std::string> taken;  // headings that differ from the program's own names: "P from 'Normalkraft (mN)'"
@@ -64,6 +64,8 @@ struct Columns {
 
  private:
   void find_unused(const std::vector<Heading>& headings, const std::vector<bool>& used, const ColumnRules& rules);
+  /// The optional quantity, not read from another column, that a misspelt heading names.
+  std::optional<ColumnId> meant_column(const Heading& heading) const;
   void find_runs_beside(const std::vector<Heading>& headings, const std::vector<bool>& used);
   void require_a_complete_set(const std::string& path, const std::vector<Heading>& headings,
                               const ColumnRules& rules) const;

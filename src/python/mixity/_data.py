@@ -77,7 +77,7 @@ class Dataset:
         if isinstance(units, dict):
             unknown = [key for key in units if key not in there]
             if unknown:
-                raise _core.InputError(f"units: '{unknown[0]}' is no column; there are {', '.join(there)}")
+                raise _core.InputError(f"units: '{unknown[0]}' is no column; there are {', '.join(there)}{_core.did_you_mean(str(unknown[0]), list(there))}")
         elif units not in (None, "SI"):
             raise _core.InputError("units must be a dict such as {'P': 'mN', 'A': 'mm^2'}, \"SI\", or None: dimensionless")
         name = str(name)

@@ -72,7 +72,7 @@ def from_frame(
 
     def named(heading):
         if heading not in headings:
-            raise _core.InputError(f"{name}: has no column '{heading}'; there are {', '.join(texts)}")
+            raise _core.InputError(f"{name}: has no column '{heading}'; there are {', '.join(texts)}{_core.did_you_mean(str(heading), texts)}")
         return heading
 
     if columns:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import _core
-from ._quantities import carries_units, in_si, is_quantity, refuse_units, si_unit
+from ._quantities import carries_units, in_si, is_quantity, refuse_units, si_names, si_unit
 
 
 def _numbers(name, value):
@@ -104,6 +104,6 @@ def constant_text(name, value):
     if len(texts) not in (1, 2):
         raise _core.InputError(
             f"'{name}' is no column, and as a constant it must be a number in SI, a text such as \"9.42 mm +/- 1%\", a pair of "
-            "value and standard error, or a quantity with a unit"
+            f"value and standard error, or a quantity with a unit{_core.did_you_mean(name, [*_core.column_names(), *si_names()])}"
         )
     return " +/- ".join(texts)

@@ -82,8 +82,7 @@ std::optional<Figure> region_figure(const ReportedData& reported, const FitResul
 std::vector<Figure> axes_figures(const ReportedData& reported) {
   std::vector<Figure> figures;
   for (const FitResult& fit : reported.result.fits) {
-    const auto model = ContactModel::find(fit.model);
-    if (!model || !model->is_elliptic() || !has_all_values(fit)) continue;
+    if (!is_elliptic(fit.model) || !has_all_values(fit)) continue;
     if (!reported.result.data.axes.empty()) figures.push_back(ratio_figure(reported, fit));
     if (fit.parameters[0].name == "lambda_II" && fit.parameters[1].name == "lambda_III")
       if (auto region = region_figure(reported, fit)) figures.push_back(std::move(*region));

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "dataset/load_text.h"
 #include "dataset/logs/recording.h"
@@ -204,6 +207,41 @@ TEST(ColumnNames, OfErrorsAndRunsAreKnownBesideTheProgramsOwnNames) {
   EXPECT_EQ(converted.errors[0].ratio, 0.1);
   EXPECT_NE(read("P [mN],T [mN],A [mm^2],run,series", {}, rows).find("may both be curve; say which"),
             std::string::npos);
+}
+
+TEST(ColumnNames, ThatAreMisspeltAreSaidWithTheNameThatWasMeant) {
+  const auto notes = [](const std::string& more) {
+    return texts_of(load_text("P [mN],T [mN],A [mm^2]," + more + "\n1,0,0.3,1\n1,1,0.29,1\n", "", kConstants).notes);
+  };
+  for (const auto& [given, name, meant] :
+       std::vector<std::array<std::string, 3>>{{"simga_T [mN]", "simga_T", "sigma_T"},
+                                               {"Sigma_AA [mm^2]", "Sigma_AA", "sigma_A"},
+                                               {"inclued", "inclued", "include"},
+                                               {"curv", "curv", "curve"}})
+    EXPECT_EQ(notes(given), std::vector<std::string>{"column '" + name + "' is not used: did you mean " + meant + "?"})
+        << given;
+  for (const char* other : {"sigma_P [mN]", "simga_T [mm]", "phi", "x", "T2", "temperature", "cycle"})
+    EXPECT_EQ(notes(other), std::vector<std::string>{}) << other;
+  const std::string both = "P [mN],T [mN],A [mm^2],sigma_T [mN],simga_T [mN]\n1,0,0.3,1,1\n1,1,0.29,1,1\n";
+  EXPECT_EQ(texts_of(load_text(both, "", kConstants).notes), std::vector<std::string>{});
+}
+
+TEST(ColumnNames, ThatAreMisspeltInAMappingAreRefusedWithTheNameThatWasMeant) {
+  const auto end = [](const std::string& mapping) {
+    Overrides constants = kConstants;
+    constants.emplace_back("columns", mapping);
+    try {
+      load_text("Druck [mN],Querkraft [mN],Zelle [mm^2]\n1,0,0.3\n1,1,0.29\n", "", constants);
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      return text.substr(text.rfind("'Zelle [mm^2]'") + 14);
+    }
+    return std::string("read");
+  };
+  EXPECT_EQ(end("P=Druck,T=Querkraft,A=Zelle"), "read");
+  EXPECT_EQ(end("P=Druck,T=Querkarft (mN),A=Zelle"), ": did you mean Querkraft?");
+  EXPECT_EQ(end("P=Druck,T=Weg,A=Zelle"), "");
+  EXPECT_EQ(end("P=Druck,T=Querkraft,simga_T=Zelle"), "; 'simga_T' is no quantity: did you mean sigma_T?");
 }
 
 TEST(ColumnNames, ThatAreKnownAndNotUsedAreSaidWithTheReason) {
