@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 
 namespace mixity {
 
@@ -36,6 +37,8 @@ std::string content_hash(std::string_view bytes) {
 }
 
 std::string file_hash(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return {};  // a pipe may have no end
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return {};
   ContentHash hash;

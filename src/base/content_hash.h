@@ -24,7 +24,7 @@ class ContentHash {
 
 std::string content_hash(std::string_view bytes);
 
-/// The hash of a file, read in blocks; empty if it cannot be read.
+/// The hash of a file, read in blocks; empty if it cannot be read or is no regular file.
 std::string file_hash(const std::string& path);
 
 }  // namespace mixity

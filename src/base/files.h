@@ -44,17 +44,18 @@ struct OutputFile {
 };
 
 struct OutputRules {
-  std::vector<std::string> inputs{};   // never overwritten, under any name
+  std::vector<std::string> inputs{};   // never overwritten, under any name; nor are files_remembered()
   bool force = false;                  // also replace files that this program did not write, or that were edited since
   std::vector<std::string> renewed{};  // folders: files of earlier runs that this run does not write are removed
 };
 
 /// Writes all of the files or none. Each is written under a temporary name in its folder and flushed to disk; then all
-/// are renamed. A reader finds old files or new ones, and if one file cannot be written, all old ones remain. Pipes and
-/// devices are written before the renames. Signals that end the process wait for the renames; only SIGKILL or a power
-/// cut between two renames leaves files of two runs side by side, each of them complete. Files keep their permissions,
-/// and links remain links. Creates missing folders, and removes temporary files of killed processes from those that it
-/// can lock. Waits up to a minute for each folder that another program is writing to.
+/// are renamed. If one file cannot be written, all old ones remain. Pipes and devices are written before the renames.
+/// Signals that end the process wait for the renames. After SIGKILL between two renames, files of two runs stand side
+/// by side, each of them complete, until this program next reads or writes in one of the folders: it then completes the
+/// run first (unfinished_run.h). Files keep their permissions, and links remain links. Creates missing folders, and
+/// removes temporary files of killed processes from those that it can lock. Waits up to a minute for folders that
+/// another program is writing to.
 ///
 /// The record of each folder (output_record.h) lists what this program wrote. Another file is replaced only if it is
 /// empty or the same, or if its edited version is kept under another name (keep_former). Throws OutputError, and leaves

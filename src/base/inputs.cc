@@ -6,9 +6,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/unfinished_run.h"
 
 namespace mixity {
 namespace {
@@ -26,6 +28,23 @@ std::optional<FileState> state_of(std::FILE* stream) {
                    about.st_mtim.tv_sec * 1000000000LL + about.st_mtim.tv_nsec};
 }
 
+/// A file is read as the last run left it that wrote to its folder.
+void complete_run_beside(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  complete_unfinished_run(folder.empty() ? "." : folder);
+}
+
+struct Remembered {
+  std::mutex mutex;
+  bool asked = false;
+  std::vector<std::string> paths;
+};
+
+Remembered& remembered() {
+  static Remembered all;
+  return all;
+}
+
 constexpr const char* kChanged = "was changed while it was read: read it again when it is complete";
 
 }  // namespace
@@ -37,6 +56,7 @@ Inputs::Inputs(const std::vector<InputFile>& given, Others others) : others_(oth
 bool Inputs::exists(const std::string& path) const {
   std::error_code error;
   if (others_ == Others::none || given_.count(path) > 0) return given_.count(path) > 0;
+  complete_run_beside(path);
   const auto kind = std::filesystem::status(path, error).type();
   if (kind == std::filesystem::file_type::not_found) return false;
   if (error) throw InputError(path, "cannot be looked up: " + error.message());
@@ -75,8 +95,13 @@ InputStream::InputStream(const std::string& path, Inputs& inputs)
     size_ = given_->size();
     return;
   }
+  complete_run_beside(path);
   stream_.reset(std::fopen(path.c_str(), "rb"));
   if (!stream_) throw InputError(path, std::string("cannot be opened: ") + std::strerror(errno));
+  if (Remembered& all = remembered(); all.asked) {
+    const std::lock_guard lock(all.mutex);
+    all.paths.push_back(path);
+  }
   if (const auto state = state_of(stream_.get())) {
     size_ = state->size;
     changed_ = state->changed;
@@ -117,6 +142,14 @@ void InputStream::finish() {
   file_.hash = hash_.text();
   file_.content = given_ ? given_ : content_;
   inputs_.add(file_);
+}
+
+void remember_files_read() { remembered().asked = true; }
+
+std::vector<std::string> files_remembered() {
+  Remembered& all = remembered();
+  const std::lock_guard lock(all.mutex);
+  return all.paths;
 }
 
 std::string content_of(const InputFile& file) {

@@ -78,6 +78,12 @@ class InputStream {
   std::shared_ptr<std::string> content_;
 };
 
+/// From now on the paths of files that are read from disk are remembered: a program that runs once writes over none of
+/// them (write_files).
+void remember_files_read();
+/// Empty if they are not remembered.
+std::vector<std::string> files_remembered();
+
 /// The content of a file as it was read. Reads a large one again; throws InputError if it has changed since.
 std::string content_of(const InputFile& file);
 

@@ -6,8 +6,8 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/output_record.h"
@@ -17,30 +17,50 @@ namespace mixity {
 /// The name of a file while it is being written: NAME.mixity-tmp and 8 random letters.
 std::string temporary_name(const std::string& path);
 
-/// Locks folders against other programs that write to them, on any host: a lock belongs to the folder itself, not to a
-/// process number, which programs in two containers may share. No lock where the file system has none.
+/// The name that a temporary file is to take; empty if the file is none.
+std::string name_of_temporary(const std::string& temporary);
+
+/// Locks existing folders against other programs that write to them, on any host: a lock belongs to the folder itself,
+/// not to a process number, which programs in two containers may share. All programs lock folders in the same order, so
+/// that two never wait for each other.
+class FolderLocks {
+ public:
+  using Key = std::pair<dev_t, ino_t>;
+  /// Throws OutputError if another program holds one of the locks for a minute.
+  explicit FolderLocks(const std::set<std::filesystem::path>& folders);
+  FolderLocks(FolderLocks&& other) noexcept : files_(std::exchange(other.files_, {})) {}
+  FolderLocks& operator=(FolderLocks&&) = delete;
+  ~FolderLocks();
+
+  bool has(const Key& folder) const { return files_.count(folder) > 0; }
+  /// False if the file system has no locks.
+  bool has_all() const { return has_all_; }
+
+ private:
+  std::map<Key, int> files_;  // descriptors of what is locked
+  bool has_all_ = true;
+};
+
 class OutputFolders {
  public:
   struct Folder {
-    int file;  // file descriptor; -1 if it cannot be opened
     std::filesystem::path path;
     OutputRecord record{};
   };
 
-  OutputFolders() = default;
-  OutputFolders(const OutputFolders&) = delete;
-  OutputFolders& operator=(const OutputFolders&) = delete;
-  ~OutputFolders();
+  /// Completes runs that were killed in these folders (unfinished_run.h) and locks them. Temporary files in a locked
+  /// folder are left from killed programs and are removed. Throws OutputError as FolderLocks does.
+  explicit OutputFolders(const std::set<std::filesystem::path>& folders);
 
-  /// Opens and locks an existing folder at the first call. Temporary files in a locked folder are left from killed
-  /// programs and are removed. Throws OutputError if another program holds the lock for a minute.
+  /// One of these folders, under any name.
   Folder& at(const std::filesystem::path& folder);
 
   auto begin() { return folders_.begin(); }
   auto end() { return folders_.end(); }
 
  private:
-  std::map<std::pair<dev_t, ino_t>, Folder> folders_;
+  FolderLocks locks_;
+  std::map<FolderLocks::Key, Folder> folders_;
 };
 
 }  // namespace mixity

@@ -4,10 +4,14 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/files.h"
+
 namespace mixity {
 namespace {
 
 constexpr std::size_t kDigits = 32;  // of a hash
+
+}  // namespace
 
 std::string in_one_line(const std::string& name) {
   std::string line;
@@ -15,7 +19,7 @@ std::string in_one_line(const std::string& name) {
   return line;
 }
 
-std::string name_in(const std::string& line) {
+std::string name_in(std::string_view line) {
   std::string name;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const bool marked = line[i] == '\\' && i + 1 < line.size();
@@ -25,13 +29,20 @@ std::string name_in(const std::string& line) {
   return name;
 }
 
-}  // namespace
-
 OutputRecord OutputRecord::of(const std::filesystem::path& folder) {
   OutputRecord record;
-  std::ifstream file(folder / kName, std::ios::binary);
-  for (std::string line; std::getline(file, line);)
-    if (line.size() > kDigits + 2) record.hashes_[name_in(line.substr(kDigits + 2))].push_back(line.substr(0, kDigits));
+  std::error_code none;
+  const std::filesystem::path path = folder / kName;
+  const auto kind = std::filesystem::symlink_status(path, none).type();
+  if (kind == std::filesystem::file_type::not_found) return record;
+  if (kind != std::filesystem::file_type::regular)
+    throw OutputError(path.string() + ": is no file, as mixity's record of what it wrote there is: remove it");
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line);) {
+    const std::string name = line.size() > kDigits + 2 ? name_in(line.substr(kDigits + 2)) : std::string();
+    if (!name.empty() && name.find('/') == std::string::npos)  // only of this folder
+      record.hashes_[name].push_back(line.substr(0, kDigits));
+  }
   return record;
 }
 

@@ -4,9 +4,14 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mixity {
+
+/// A name in one line of a hidden file, with backslashes and line feeds as \\\\ and \\n, and back.
+std::string in_one_line(const std::string& name);
+std::string name_in(std::string_view line);
 
 /// Names and hashes (content_hash.h) of the files written to one folder. A file that is not listed is not from this
 /// program; one with another hash was edited since.
@@ -27,7 +32,7 @@ class OutputRecord {
   /// Forgets files that are no longer there.
   void forget_missing(const std::filesystem::path& folder);
 
-  /// One line per hash: the hash, two blanks, the name with backslashes and line feeds as \\\\ and \\n.
+  /// One line per hash: the hash, two blanks, the name in one line.
   std::string text() const;
 
  private:

@@ -10,8 +10,9 @@ std::string printable(std::string_view text, std::size_t limit) {
     const std::size_t length = character_length(text), taken = length == 0 ? 1 : length;
     if (result.size() + taken > limit) return result + "...";
     const auto first = static_cast<unsigned char>(text[0]);
-    const bool control =
-        first < 0x20 || first == 0x7f || (length == 2 && first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);
+    const bool none = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");  // U+FFFE, U+FFFF
+    const bool control = none || first < 0x20 || first == 0x7f ||
+                         (length == 2 && first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);
     if (length == 0 || control)
       result += '?';
     else

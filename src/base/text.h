@@ -22,8 +22,8 @@ constexpr std::size_t character_length(std::string_view text) {
   return length;
 }
 
-/// A text as one line of a message: control characters and bytes that are not UTF-8 become '?', and a text of more than
-/// `limit` bytes is cut and ends in "...".
+/// A text as one line of a message: control characters, bytes that are not UTF-8 and what XML has no character for
+/// become '?', and a text of more than `limit` bytes is cut and ends in "...".
 std::string printable(std::string_view text, std::size_t limit = 4000);
 
 /// Removes blanks, tabs and line ends at both ends.

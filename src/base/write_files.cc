@@ -8,6 +8,8 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,7 +17,9 @@
 
 #include "base/content_hash.h"
 #include "base/files.h"
+#include "base/inputs.h"
 #include "base/output_folders.h"
+#include "base/unfinished_run.h"
 
 namespace mixity {
 namespace {
@@ -59,8 +63,8 @@ std::filesystem::path end_of_links(const std::string& path) {
 /// A file written under a temporary name, and removed unless it is moved into place.
 class StagedFile {
  public:
-  /// Creates and locks its folder.
-  StagedFile(const OutputFile& file, OutputFolders& folders) : file_(file) {
+  /// Creates its folder.
+  explicit StagedFile(const OutputFile& file) : file_(file) {
     const std::string& path = file.path;
     std::error_code unknown;
     const auto kind = std::filesystem::status(path, unknown).type();
@@ -68,18 +72,28 @@ class StagedFile {
     if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
     if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
     target_ = end_of_links(path);
-    const std::filesystem::path parent = target_.parent_path();
     std::error_code error;
-    if (!parent.empty()) std::filesystem::create_directories(parent, error);
-    if (error) throw OutputError(parent.string() + ": cannot be created: " + error.message());
-    folder_ = &folders.at(parent.empty() ? "." : parent);
+    std::filesystem::create_directories(parent(), error);
+    if (error) throw OutputError(parent().string() + ": cannot be created: " + error.message());
     hash_ = content_hash(file.content);
   }
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
   ~StagedFile() { discard(); }
 
+  /// The file's folder; empty for a pipe or device.
+  std::filesystem::path parent() const {
+    return target_.has_parent_path() || target_.empty() ? target_.parent_path() : ".";
+  }
+  /// `folders`: locked, so that no other program writes here.
+  void enter(OutputFolders& folders) {
+    if (target_.empty()) return;
+    folder_ = &folders.at(parent());
+    before_ = file_hash(target_.string());
+  }
   OutputFolders::Folder* folder() const { return folder_; }  // null for a pipe or device
+  const std::string& path() const { return file_.path; }
+  FolderChanges::Change change() const { return {std::filesystem::path(temporary_).filename().string(), before_}; }
   std::string name() const { return target_.filename().string(); }
   const std::string& hash() const { return hash_; }
 
@@ -89,9 +103,8 @@ class StagedFile {
     std::error_code not_there;
     if (!folder_ || !std::filesystem::is_regular_file(target_, not_there)) return;
     if (std::filesystem::file_size(target_, not_there) == 0) return;
-    const std::string present = file_hash(target_.string());
     const OutputRecord& record = folder_->record;
-    if (present == hash_ || record.wrote(name(), present) || (record.knows(name()) && kept.count(present) > 0)) return;
+    if (before_ == hash_ || record.wrote(name(), before_) || (record.knows(name()) && kept.count(before_) > 0)) return;
     throw OutputError(Message(file_.path) +
                       (record.knows(name()) ? ": was edited since mixity wrote it" : ": was not written by mixity") +
                       " and is not replaced: take another name, or " + Remedy::set("force", "true"));
@@ -139,7 +152,7 @@ class StagedFile {
 
   const OutputFile& file_;
   std::filesystem::path target_;
-  std::string temporary_, hash_;
+  std::string temporary_, hash_, before_;  // before_: hash of the file that is replaced
   OutputFolders::Folder* folder_ = nullptr;
 };
 
@@ -175,12 +188,13 @@ void tell_apart(const std::vector<OutputFile>& files) {
 }
 
 /// Throws OutputError if one of the outputs is one of the inputs, under any name.
-void spare_inputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs) {
+void spare_inputs(std::vector<std::string> inputs, const std::vector<OutputFile>& outputs) {
   const auto number_of = [](const std::string& path) -> std::optional<std::pair<dev_t, ino_t>> {
     struct stat about {};
     if (::stat(path.c_str(), &about) != 0) return std::nullopt;
     return std::pair(about.st_dev, about.st_ino);
   };
+  for (std::string& path : files_remembered()) inputs.push_back(std::move(path));
   std::set<std::pair<dev_t, ino_t>> numbers;
   for (const std::string& input : inputs)
     if (const auto number = number_of(input)) numbers.insert(*number);
@@ -189,13 +203,31 @@ void spare_inputs(const std::vector<std::string>& inputs, const std::vector<Outp
       throw OutputError(output.path + ": is an input and is not written over");
 }
 
+/// What is there now. It is read for a comparison, and so is no input.
+std::string present_content(const std::string& path) {
+  complete_unfinished_run(std::filesystem::absolute(path).parent_path());
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
 /// The name, followed by a number if a file with other content has it, so that no earlier edit is lost.
 std::string free_name(const std::string& name, const std::string& content) {
   std::string free = name;
   std::error_code unread;
-  for (int number = 2; std::filesystem::exists(free, unread) && read_file(free) != content; ++number)
+  for (int number = 2; std::filesystem::exists(free, unread) && present_content(free) != content; ++number)
     free = name + "." + std::to_string(number);
   return free;
+}
+
+/// The locked folders of these files and all that are renewed.
+OutputFolders folders_of(const std::deque<StagedFile>& staged, const std::vector<std::string>& renewed) {
+  std::set<std::filesystem::path> folders;
+  for (const StagedFile& file : staged)
+    if (!file.parent().empty()) folders.insert(file.parent());
+  std::error_code none;
+  for (const std::string& path : renewed)
+    if (std::filesystem::is_directory(path, none)) folders.insert(path);
+  return OutputFolders(folders);
 }
 
 /// Files that this program wrote to these folders earlier and does not write now; those edited since are kept.
@@ -228,29 +260,61 @@ std::deque<OutputFile> records(const std::deque<StagedFile>& staged, OutputFolde
   return files;
 }
 
+/// What takes place when the files take their names, by folder.
+std::vector<FolderChanges> changes_of(const std::deque<StagedFile>& recorded, const std::deque<StagedFile>& staged,
+                                      const std::vector<std::filesystem::path>& outdated) {
+  std::vector<FolderChanges> changes;
+  for (const StagedFile& record : recorded) {
+    FolderChanges& here = changes.emplace_back(FolderChanges{record.folder()->path, {record.change()}, {}});
+    for (const StagedFile& file : staged)
+      if (file.folder() == record.folder()) here.renamed.push_back(file.change());
+    for (const std::filesystem::path& path : outdated)
+      if (path.parent_path() == here.folder)
+        here.removed.push_back({path.filename().string(), file_hash(path.string())});
+  }
+  return changes;
+}
+
 }  // namespace
 
 void write_files(const std::vector<OutputFile>& files, const OutputRules& rules) {
   spare_inputs(rules.inputs, files);
   tell_apart(files);
-  OutputFolders folders;
   std::deque<StagedFile> staged;
   std::set<std::string> hashes;
-  for (const OutputFile& file : files) hashes.insert(staged.emplace_back(file, folders).hash());
+  for (const OutputFile& file : files) hashes.insert(staged.emplace_back(file).hash());
+  OutputFolders folders = folders_of(staged, rules.renewed);
+  for (StagedFile& file : staged) file.enter(folders);
   if (!rules.force)
     for (const StagedFile& file : staged) file.spare_others(hashes);
   const std::vector<std::filesystem::path> outdated = left_from_former_runs(rules.renewed, staged, folders);
   const std::deque<OutputFile> of_records = records(staged, folders);
-  // Records are written first: they accept both the old and the new version of each file.
-  std::deque<StagedFile> recorded;
-  for (const OutputFile& file : of_records) recorded.emplace_back(file, folders);
-  for (auto* const list : {&recorded, &staged})
-    for (StagedFile& file : *list) file.write_temporary();
+  // Records are put in place first: they accept both the old and the new version of each file.
+  std::deque<StagedFile> recorded, announced;
+  const auto write_temporaries = [&](const auto& contents, std::deque<StagedFile>& list) {
+    for (const OutputFile& file : contents) list.emplace_back(file).enter(folders);
+    for (StagedFile& file : list) file.write_temporary();
+  };
+  write_temporaries(of_records, recorded);
+  for (StagedFile& file : staged) file.write_temporary();
+  const std::vector<OutputFile> unfinished = unfinished_files(changes_of(recorded, staged, outdated));
+  write_temporaries(unfinished, announced);
   for (const StagedFile& file : staged) file.write_if_direct();
   const Uninterrupted renaming;
+  // From the last of these renames on, whoever comes next completes what is left undone.
+  for (auto file = announced.rbegin(); file != announced.rend(); ++file) file->put_in_place();
+  std::optional<OutputError> failed;  // the others take their names nevertheless
   for (auto* const list : {&recorded, &staged})
-    for (StagedFile& file : *list) file.put_in_place();
+    for (StagedFile& file : *list) {
+      try {
+        file.put_in_place();
+      } catch (const OutputError& error) {
+        failed = error;
+      }
+    }
   for (const std::filesystem::path& path : outdated) ::unlink(path.c_str());
+  for (auto file = announced.rbegin(); file != announced.rend(); ++file) ::unlink(file->path().c_str());
+  if (failed) throw *failed;
 }
 
 std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
@@ -258,7 +322,7 @@ std::vector<std::string> keep_former(std::vector<OutputFile>& files) {
   for (std::size_t i = 0, n = files.size(); i < n; ++i) {
     std::error_code unread;
     if (!files[i].path.ends_with(".toml") || !std::filesystem::is_regular_file(files[i].path, unread)) continue;
-    std::string former = read_file(files[i].path);
+    std::string former = present_content(files[i].path);
     if (former == files[i].content) continue;
     kept.push_back(free_name(files[i].path + ".old", former));
     files.push_back({kept.back(), std::move(former)});

@@ -18,7 +18,6 @@ int run_check(const Arguments& arguments) {
   bool usable = true;
   std::string text;
   std::vector<UnderstoodFile> files;
-  std::vector<std::string> paths(arguments);
   const auto check = [&](const std::function<Dataset(const Overrides&)>& load) {
     if (!text.empty()) text += '\n';
     const CheckedData found = check_data(load, overrides, in_flags);
@@ -26,20 +25,19 @@ int run_check(const Arguments& arguments) {
     usable &= found.usable;
     files.push_back(found.file);
     if (!found.missing) return;
-    text += save_definition(files, paths);
-    std::cout << text << std::flush;
+    write_outputs(definition_to_save(files));
+    std::cout << text << saved_text() << std::flush;
     throw *found.missing;
   };
   if (FLAGS_pool) {
     const std::vector<RunFile> runs = pooled_files(arguments);
-    for (const RunFile& run : runs) paths.push_back(run.path);
     check([&](const Overrides& constants) { return load_pooled(runs, constants); });
   } else {
     for (const std::string& path : arguments)
       check([&path](const Overrides& constants) { return load_dataset(path, constants); });
   }
-  text += save_definition(files, paths);  // prints nothing if that is refused
-  std::cout << text;
+  write_outputs(definition_to_save(files));  // prints nothing if that is refused
+  std::cout << text << saved_text();
   return usable ? kFine : kBadInput;
 }
 

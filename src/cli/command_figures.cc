@@ -21,7 +21,7 @@ int run_figures(const Arguments& arguments) {
   const DrawnFigures drawn = draw_figures(figures, FLAGS_out, figure_formats(), progress_line("figures"));
   std::vector<OutputFile> files = drawn.files;
   files.push_back({FLAGS_out + "/figures.html", paper_page(figures, drawn)});
-  write_outputs(files, arguments);
+  write_outputs(files);
   for (const OutputFile& file : files) std::cout << file.path << '\n';
   if (!drawn.missing.empty()) warn(drawn.missing);
   return kFine;

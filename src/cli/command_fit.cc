@@ -96,7 +96,7 @@ int run_fit(const Arguments& arguments) {
   if (!FLAGS_out.empty()) files = result_files(FLAGS_out, results, text, shard);
   if (!FLAGS_save.empty())
     files.push_back({FLAGS_save, fit_definition_text(results[0].request, results[0].data, FLAGS_save)});
-  write_outputs(files, inputs);
+  write_outputs(files, {inputs});
   std::cout << (FLAGS_format == "json" ? to_json(results, shard) : FLAGS_format == "csv" ? fits_csv(results) : text);
   return all_ok ? kFine : kFitNotOk;
 }

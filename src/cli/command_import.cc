@@ -31,7 +31,7 @@ int run_import(const Arguments& arguments) {
     if (load.unit.text != options.loads.front().unit.text ||
         (!load.unit.text.empty() && load.unit.dimension != dimension::force))
       throw refused("loads", "all loads must be forces in one unit");
-  print_or_write(import_plot(arguments[0], options), arguments);
+  print_or_write(import_plot(arguments[0], options));
   return kFine;
 }
 

@@ -7,7 +7,7 @@ namespace mixity::cli {
 
 int run_merge(const Arguments& arguments) {
   if (arguments.empty()) throw UsageError("merge needs the JSON files of all shards of mixity fit");
-  print_or_write(merge_json(arguments), arguments);
+  print_or_write(merge_json(arguments));
   return kFine;
 }
 

@@ -36,7 +36,7 @@ std::string points_csv(const Dataset& data) {
 
 int run_points(const Arguments& arguments) {
   if (arguments.size() != 1) throw UsageError("points needs one data CSV (see mixity help points)");
-  print_or_write(points_csv(load_dataset(arguments[0], data_overrides())), arguments);
+  print_or_write(points_csv(load_dataset(arguments[0], data_overrides())));
   return kFine;
 }
 

@@ -39,9 +39,8 @@ int run_report(const Arguments& arguments) {
   const auto one = [](const FitRequest& request, const Progress& part) { return run_for_report(request, part); };
   std::vector<Analysis> results = run_all(requests, one, stretch(progress, 0, kFits));
   const std::vector<ReportedData> data = reported_data(results);
-  const WrittenReport written =
-      write_report(results, data, FLAGS_out,
-                   {command_line(), stretch(progress, kFits, 1), explorer(), {files_of_flags(), FLAGS_force, {}}});
+  const WrittenReport written = write_report(
+      results, data, FLAGS_out, {command_line(), stretch(progress, kFits, 1), explorer(), {{}, FLAGS_force, {}}});
   if (!written.missing.empty()) warn(written.missing);
   std::cout << written.page << '\n';
   for (const Analysis& result : results)

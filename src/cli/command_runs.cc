@@ -1,5 +1,7 @@
 // mixity runs: the loading runs of a log of forces and areas, as points for a fit.
 #include <iostream>
+#include <iterator>
+#include <utility>
 
 #include "base/files.h"
 #include "base/input_error.h"
@@ -33,19 +35,19 @@ int run_runs(const Arguments& arguments) {
   const ReducedLogs logs =
       reduce_logs(arguments, data_overrides(),
                   {seconds("lag"), is_set("zero_drift") ? std::optional(FLAGS_zero_drift) : std::nullopt, FLAGS_cuts});
-  const std::string saved = save_definition(understood(logs), arguments);
+  std::vector<OutputFile> files = definition_to_save(understood(logs));
   if (has_no_run(logs)) {
-    std::cout << runs_text(logs, in_flags) << saved << std::flush;
+    write_outputs(std::move(files));
+    std::cout << runs_text(logs, in_flags) << saved_text() << std::flush;
     refuse_without_runs(arguments[0]);
   }
-  if (!FLAGS_out.empty()) {
-    const RunsOutput output = runs_output(logs, FLAGS_out, figure_formats(), in_flags, progress_line("figures"));
-    std::vector<std::string> inputs(arguments.begin(), arguments.end());
-    for (const std::string& path : arguments) inputs.push_back(metadata_path(path));
-    write_outputs(output.files, inputs);
-    if (!output.missing.empty()) warn(output.missing);
-  }
-  std::cout << runs_text(logs, in_flags) << saved;
+  RunsOutput output;
+  if (!FLAGS_out.empty())
+    output = runs_output(logs, FLAGS_out, figure_formats(), FLAGS_cuts, in_flags, progress_line("figures"));
+  std::move(output.files.begin(), output.files.end(), std::back_inserter(files));
+  write_outputs(std::move(files), {{}, false, {FLAGS_out + "/figures"}});
+  if (!output.missing.empty()) warn(output.missing);
+  std::cout << runs_text(logs, in_flags) << saved_text();
   if (!FLAGS_out.empty())
     std::cout << "Written to " << FLAGS_out << "; next: mixity report " << FLAGS_out << "/fit.toml --out=DIR\n";
   return kFine;

@@ -47,7 +47,7 @@ int run_simulate(const Arguments& arguments) {
     constants += name + " = " + toml_text(text) + "\n";
   constants += "provenance = \"reconstructed\"\nsource = " + toml_text(command_line()) + "\n";
   std::vector<OutputFile> files{{FLAGS_out, table.str()}, {metadata_path(FLAGS_out), constants}};
-  write_outputs(files, {});
+  write_outputs(std::move(files));
   std::cout << "Written to " << FLAGS_out << " and " << metadata_path(FLAGS_out) << '\n';
   return kFine;
 }

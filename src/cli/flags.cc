@@ -200,32 +200,23 @@ Inputs& inputs_of_laws() {
   return inputs;
 }
 
-std::vector<std::string> files_of_flags() {
-  std::vector<std::string> files;
-  if (!FLAGS_laws.empty()) files.push_back(FLAGS_laws);
-  for (const MetadataField& field : metadata_fields())
-    if (field.is_path && is_set(field.name)) files.push_back(value_of(field.name));
-  return files;
-}
-
 const std::string& path_to_save() {
   if (!FLAGS_save.ends_with(".toml")) throw must("save", "end in .toml");
   return FLAGS_save;
 }
 
-void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs) {
-  std::vector<std::string> all = files_of_flags();
-  all.insert(all.end(), inputs.begin(), inputs.end());
+void write_outputs(std::vector<OutputFile> files, OutputRules rules) {
+  rules.force = FLAGS_force;
   const std::vector<std::string> former = keep_former(files);
-  write_files(files, {all, FLAGS_force, {}});
+  write_files(files, rules);
   for (const std::string& kept : former) warn("the previous file was saved as " + kept);
 }
 
-void print_or_write(const std::string& text, const std::vector<std::string>& inputs) {
+void print_or_write(const std::string& text) {
   if (FLAGS_out.empty())
     std::cout << text;
   else
-    write_outputs({{FLAGS_out, text}}, inputs);
+    write_outputs({{FLAGS_out, text}});
 }
 
 }  // namespace mixity::cli

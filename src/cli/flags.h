@@ -56,15 +56,13 @@ const std::vector<std::string>& laws_of_flags();
 /// Contains the file --laws, once it was read.
 Inputs& inputs_of_laws();
 
-/// Writes all of the files or none (base/files.h). Refuses to overwrite an input, a file named by a flag, or, without
-/// --force, a file that this program did not write. Keeps each TOML file that changes as NAME.old, and says so.
-void write_outputs(std::vector<OutputFile> files, const std::vector<std::string>& inputs);
+/// Writes all of the files or none (base/files.h). Refuses to overwrite a file that was read or, without --force, one
+/// that this program did not write. Keeps each TOML file that changes as NAME.old, and says so.
+void write_outputs(std::vector<OutputFile> files, OutputRules rules = {});
 /// The value of --save. Throws UsageError if it does not end in .toml.
 const std::string& path_to_save();
-/// The files named by flags.
-std::vector<std::string> files_of_flags();
 
-/// Writes a text to the file --out, which must not be one of the inputs; without --out prints it.
-void print_or_write(const std::string& text, const std::vector<std::string>& inputs);
+/// Writes a text to the file --out; without --out prints it.
+void print_or_write(const std::string& text);
 
 }  // namespace mixity::cli

@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/inputs.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/flag_words.h"
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
   FLAGS_minloglevel = google::GLOG_FATAL;  // silences Ceres, since the status of a fit says more
   google::InitGoogleLogging(argv[0]);
   std::signal(SIGXFSZ, SIG_IGN);  // makes write() fail for a file that grows too large, instead of ending the program
+  remember_files_read();
   int code = kFine;
   try {
     code = run({argv + 1, argv + argc});

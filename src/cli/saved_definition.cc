@@ -5,13 +5,16 @@
 
 namespace mixity::cli {
 
-std::string save_definition(const std::vector<UnderstoodFile>& files, const Arguments& arguments) {
+std::vector<OutputFile> definition_to_save(const std::vector<UnderstoodFile>& files) {
   if (FLAGS_save.empty()) return {};
   const std::string& path = path_to_save();
-  std::vector<std::string> inputs(arguments);
-  for (const std::string& file : arguments) inputs.push_back(metadata_path(file));
-  write_outputs({{path, definition_text(files, path, in_flags)}}, inputs);
-  return "Written to " + path + "; " + in_flags(Remedy::set("definition", path)) + " reads other files so\n";
+  return {{path, definition_text(files, path, in_flags)}};
+}
+
+std::string saved_text() {
+  if (FLAGS_save.empty()) return {};
+  return "Written to " + FLAGS_save + "; " + in_flags(Remedy::set("definition", FLAGS_save)) +
+         " reads other files so\n";
 }
 
 }  // namespace mixity::cli

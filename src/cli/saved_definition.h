@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "base/files.h"
 #include "dataset/definition.h"
 
 namespace mixity::cli {
 
-/// Writes the definition to --save, which must not be a file that was read. Returns a line that says so; without --save
-/// does nothing. Throws UsageError and OutputError.
-std::string save_definition(const std::vector<UnderstoodFile>& files, const Arguments& arguments);
+/// The file --save; none without --save. Throws UsageError.
+std::vector<OutputFile> definition_to_save(const std::vector<UnderstoodFile>& files);
+/// The line that says that it was written; empty without --save.
+std::string saved_text();
 
 }  // namespace mixity::cli

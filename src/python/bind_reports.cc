@@ -16,14 +16,14 @@ namespace {
 /// Not the vector itself, which would become a list.
 struct Reduction {
   ReducedLogs logs;
+  std::string cuts_path;
 };
 
 /// Writes a definition, unless `path` is null.
 void save_definition(const std::vector<UnderstoodFile>& understood, const std::optional<std::string>& path, bool force,
-                     std::vector<std::string> inputs) {
+                     const std::vector<std::string>& inputs) {
   if (!path) return;
   if (!path->ends_with(".toml")) throw InputError("save", "is '" + *path + "'; it must end in .toml");
-  for (std::size_t i = 0, n = inputs.size(); i < n; ++i) inputs.push_back(metadata_path(inputs[i]));
   std::vector<OutputFile> files{{*path, definition_text(understood, *path, in_keywords)}};
   keep_former(files);
   write_files(files, {inputs, force, {}});
@@ -33,12 +33,17 @@ std::string checked_files(const std::vector<std::string>& paths, const Stated& c
                           const std::optional<std::string>& save, bool force, const Contents& made) {
   const std::vector<InputFile> given = inputs_of(made);
   const nb::gil_scoped_release released;
+  std::vector<std::string> read;
   const auto load = [&](const Overrides& with) {
     Inputs inputs(given, Inputs::Others::from_disk);
-    return load_files(paths, with, inputs);
+    Dataset data = load_files(paths, with, inputs);
+    for (const InputFile& one : inputs.files()) read.push_back(one.path);
+    return data;
   };
+  read = paths;
+  for (const std::string& path : paths) read.push_back(metadata_path(path));
   CheckedData found = check_data(load, constants, in_keywords);
-  save_definition({found.file}, save, force, paths);
+  save_definition({found.file}, save, force, read);
   if (found.missing) found.text += found.missing->text(in_keywords) + "\n";
   return found.text;
 }
@@ -48,7 +53,7 @@ std::string checked_data(const Dataset& data, const std::optional<std::string>& 
   const CheckedData found = check_data([&](const Overrides&) { return data; }, {}, in_keywords);
   std::vector<std::string> inputs;
   for (const InputFile& one : data.inputs) inputs.push_back(one.path);
-  save_definition({found.file}, save, force, std::move(inputs));
+  save_definition({found.file}, save, force, inputs);
   return found.text;
 }
 
@@ -125,17 +130,19 @@ void bind_reports(nb::module_& m) {
               const std::vector<std::string>& inputs) {
              const FigureFormats wanted = formats_of(formats);
              const nb::gil_scoped_release released;
-             RunsOutput output = runs_output(of.logs, folder, wanted, in_keywords);
+             RunsOutput output = runs_output(of.logs, folder, wanted, of.cuts_path, in_keywords);
              keep_former(output.files);
              std::vector<std::string> read = inputs;
              for (const std::string& path : inputs) read.push_back(metadata_path(path));
-             write_files(output.files, {read, force, {}});
+             write_files(output.files, {read, force, {folder + "/figures"}});
              return output.missing;
            })
       .def("save_definition",
            [](const Reduction& of, const std::string& path, bool force, const std::vector<std::string>& inputs) {
              const nb::gil_scoped_release released;
-             save_definition(understood(of.logs), path, force, inputs);
+             std::vector<std::string> read = inputs;
+             for (const std::string& one : inputs) read.push_back(metadata_path(one));
+             save_definition(understood(of.logs), path, force, read);
            })
       .def("runs", [](const Reduction& of) {
         nb::list all;
@@ -151,7 +158,7 @@ void bind_reports(nb::module_& m) {
         const nb::gil_scoped_release released;
         ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts, inputs});
         if (has_no_run(logs)) refuse_without_runs(paths[0]);
-        return Reduction{std::move(logs)};
+        return Reduction{std::move(logs), cuts};
       },
       nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none(), nb::arg(), nb::arg());
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -311,8 +312,8 @@ bool has_no_run(const ReducedLogs& logs) {
   return std::all_of(logs.begin(), logs.end(), [](const ReducedLog& log) { return log.runs.runs.empty(); });
 }
 
-RunsOutput runs_output(const ReducedLogs& logs, const std::string& folder, const FigureFormats& formats, Wording words,
-                       const Progress& progress) {
+RunsOutput runs_output(const ReducedLogs& logs, const std::string& folder, const FigureFormats& formats,
+                       const std::string& cuts_path, Wording words, const Progress& progress) {
   const std::vector<Figure> figures = log_figures(logs);
   DrawnFigures drawn = draw_figures(figures, folder + "/figures", formats, progress);
   std::vector<OutputFile> files = std::move(drawn.files);
@@ -325,6 +326,10 @@ RunsOutput runs_output(const ReducedLogs& logs, const std::string& folder, const
                              {in + "log.json", log_json(logs)},
                              {in + "cuts.toml", cuts_toml(logs, words)},
                              {in + "fit.toml", runs_definition(figures)}});
+  std::error_code unread;
+  std::erase_if(files, [&](const OutputFile& file) {
+    return !cuts_path.empty() && std::filesystem::equivalent(file.path, cuts_path, unread);
+  });
   return {std::move(files), std::move(drawn.missing)};
 }
 

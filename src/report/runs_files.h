@@ -31,9 +31,11 @@ struct RunsOutput {
   std::string missing;  // what could not be drawn and why; empty if everything was
 };
 
-/// All files that `mixity runs` writes to a folder: points, peaks, phases, cuts, figures and a fit definition.
+/// All files that `mixity runs` writes to a folder: points, peaks, phases, cuts, figures and a fit definition. If the
+/// cuts were read from the file of cuts there (`cuts_path`), it stays as it is and is left out.
 RunsOutput runs_output(const ReducedLogs& logs, const std::string& folder, const FigureFormats& formats,
-                       Wording words = in_neutral_words, const Progress& progress = {});
+                       const std::string& cuts_path = {}, Wording words = in_neutral_words,
+                       const Progress& progress = {});
 
 bool has_no_run(const ReducedLogs& logs);
 /// Throws an InputError at this path: the log has no loading run.

@@ -82,6 +82,21 @@ TEST(OutputRecord, SurvivesAnyName) {
   EXPECT_TRUE(OutputRecord::of(folder.path()).knows("a\\n\nb  c.csv"));
 }
 
+/// A record from somebody else removes and replaces nothing outside its folder.
+TEST(OutputRecord, IsOfItsFolderAlone) {
+  const TemporaryFolder folder;
+  const std::string theirs = folder.write("theirs", "theirs"), record = std::string("out/") + OutputRecord::kName;
+  std::filesystem::create_directory(folder.path("out"));
+  folder.write(record, content_hash("theirs") + "  ../theirs\n" + content_hash("theirs") + "  " + theirs + "\n");
+  EXPECT_EQ(refusal({{folder.path("out/1"), "1"}}, {{}, false, {folder.path("out")}}), "");
+  EXPECT_EQ(read_file(theirs), "theirs");
+  std::filesystem::remove(folder.path(record));
+  std::filesystem::create_symlink(theirs, folder.path(record));
+  EXPECT_EQ(refusal({{folder.path("out/1"), "2"}}),
+            folder.path(record) + ": is no file, as mixity's record of what it wrote there is: remove it");
+  EXPECT_EQ(read_file(theirs), "theirs");
+}
+
 TEST(OutputRecord, ForgetsWhatIsNoLongerThere) {
   const TemporaryFolder folder;
   write_files({{folder.path("one"), "1"}, {folder.path("two"), "2"}});

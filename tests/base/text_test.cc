@@ -27,6 +27,7 @@ TEST(Printable, BytesThatAreNoUtf8BecomeQuestionMarks) {
   EXPECT_EQ(printable("\xC0\xAF"), "??");       // longer than need be
   EXPECT_EQ(printable("\xED\xA0\x80"), "???");  // a surrogate
   EXPECT_EQ(printable("\xF5\x80\x80\x80"), "????");
+  EXPECT_EQ(printable("\xEF\xBF\xBEz\xEF\xBF\xBF"), "?z?");  // no characters of XML
 }
 
 TEST(Printable, LongTextIsCutBetweenCharacters) {

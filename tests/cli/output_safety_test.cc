@@ -92,6 +92,43 @@ TEST(OutputSafety, FilesOfLawsAndHeadingsAreNotWrittenOver) {
   EXPECT_EQ(content_of(headings), name);
 }
 
+TEST(OutputSafety, NoFileThatWasReadIsWrittenOverByAnyCommand) {
+  const TemporaryFolder folder;
+  const std::string constants = "radius = \"9 mm\"\nmodulus = \"2 MPa\"\ntoughness = \"27 mJ/m^2\"\n",
+                    data = folder.write("d.csv", "P [mN],T [mN],A [mm^2]\n8,0,0.46\n8,60,0.448\n8,110,0.402\n"),
+                    beside = folder.write("d.toml", constants), lab = folder.write("lab.toml", constants);
+  const auto refuses = [&](const Words& words) {
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 4) << joined(words);
+    EXPECT_NE(result.complaint().find("is an input and is not written over"), std::string::npos) << result.err;
+  };
+  refuses({"points", data, "--out", beside, "--force"});
+  refuses({"points", data, "--definition", lab, "--out", lab, "--force"});
+  refuses({"check", data, "--definition", lab, "--save", lab, "--force"});
+  refuses({"fit", data, "--definition", lab, "--save", lab, "--force"});
+  refuses({"simulate", "--model=c", "--lambda=0.1", "--loads=1mN", "--definition", lab, "--out", folder.path("lab.csv"),
+           "--force"});
+  std::filesystem::create_hard_link(beside, folder.path("hard.toml"));
+  refuses({"points", data, "--out", folder.path("hard.toml"), "--force"});
+  std::filesystem::copy_file(data, folder.path("figures.html"));
+  std::filesystem::copy_file(beside, folder.path("figures.toml"));
+  refuses({"figures", "--paper", folder.path("figures.html"), "--out", folder.path(), "--force"});
+  EXPECT_EQ(content_of(beside), constants);
+  EXPECT_EQ(content_of(lab), constants);
+}
+
+TEST(OutputSafety, CutsThatWereReadStayAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string log = MIXITY_ROOT "/data/shear_log.csv", out = folder.path("out"), cuts = out + "/cuts.toml";
+  ASSERT_EQ(run_program({"runs", log, "--out", out}).exit_code, 0);
+  std::string edited = "# mine\n" + content_of(cuts);
+  folder.write("out/cuts.toml", edited);
+  const ProgramResult again = run_program({"runs", log, "--cuts", cuts, "--out", out});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(content_of(cuts), edited);
+  EXPECT_FALSE(std::filesystem::exists(cuts + ".old"));
+}
+
 TEST(OutputSafety, AFileOfSomebodyElseIsReplacedByForceAlone) {
   const std::string data = MIXITY_ROOT "/data/mergel2018.csv";
   const TemporaryFolder folder;
@@ -137,6 +174,19 @@ TEST(OutputSafety, FiguresThatAReportNoLongerMakesAreRemoved) {
   EXPECT_EQ(content_of(folder.path("out/figures/mine.svg")), "<svg/>");
 }
 
+TEST(OutputSafety, FiguresOfRunsThatALogNoLongerHasAreRemoved) {
+  const TemporaryFolder folder;
+  const std::string log = MIXITY_ROOT "/data/shear_log.csv", out = folder.path("out");
+  ASSERT_EQ(run_program({"runs", log, "--out", out}).exit_code, 0);
+  ASSERT_TRUE(std::filesystem::exists(out + "/figures/run_3_T.svg"));
+  const std::string all = content_of(out + "/cuts.toml"), last = all.substr(all.rfind("run = "));
+  const std::string cuts =
+      folder.write("cuts.toml", "[[cuts]]\n" + last.substr(0, last.find('\n')) + "\nleave_out = true\n");
+  ASSERT_EQ(run_program({"runs", log, "--cuts", cuts, "--out", out}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/figures/run_3_T.svg"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/figures/run_2_T.svg"));
+}
+
 /// Results of one run and the definition that another run saved do not stand side by side.
 TEST(OutputSafety, ResultsAndTheSavedDefinitionAreWrittenTogether) {
   const TemporaryFolder folder;
@@ -145,6 +195,9 @@ TEST(OutputSafety, ResultsAndTheSavedDefinitionAreWrittenTogether) {
       run_program({"fit", MIXITY_ROOT "/data/mergel2018.csv", "--models=c", "--out", out, "--save", saved}).exit_code,
       4);
   EXPECT_EQ(content_of(saved), "old");
+  const std::string reading = folder.path("reading.toml");
+  EXPECT_EQ(run_program({"runs", MIXITY_ROOT "/data/shear_log.csv", "--out", out, "--save", reading}).exit_code, 4);
+  EXPECT_FALSE(std::filesystem::exists(reading));
 }
 
 TEST(OutputSafety, AnImportThatDoesNotFitLeavesTheEarlierOne) {

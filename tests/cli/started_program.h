@@ -28,7 +28,10 @@ inline Contents contents_of(const std::string& folder) {
   return contents;
 }
 
-inline bool is_temporary(const std::string& name) { return name.find(".mixity-tmp") != std::string::npos; }
+/// What is there only while a run writes.
+inline bool is_temporary(const std::string& name) {
+  return name.find(".mixity-tmp") != std::string::npos || name.find(".mixity-unfinished") != std::string::npos;
+}
 
 /// A child that runs the program after `prepare`, its complaints in the file `err`; its output goes nowhere.
 inline pid_t start(

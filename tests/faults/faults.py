@@ -30,16 +30,16 @@ class Fault(Exception):
 
 
 def contents(folder):
-    """{name: hash} of all files, without the records and temporary files."""
+    """{name: hash} of all files, without hidden and temporary files."""
     return {
         str(file.relative_to(folder)): hashlib.sha256(file.read_bytes()).hexdigest()
         for file in sorted(folder.rglob("*"))
-        if file.is_file() and file.name != ".mixity-files" and ".mixity-tmp" not in file.name
+        if file.is_file() and not file.name.startswith(".mixity-") and ".mixity-tmp" not in file.name
     }
 
 
 def leftovers(folder):
-    return [file.name for file in folder.rglob("*") if ".mixity-tmp" in file.name]
+    return [file.name for file in folder.rglob("*") if ".mixity-tmp" in file.name or ".mixity-unfinished" in file.name]
 
 
 def run(command, **more):
@@ -48,9 +48,9 @@ def run(command, **more):
 
 def commands(program, out):
     """Pairs of commands that write the same files with different contents."""
-    fit = [program, "fit", DATA, "--models=c", f"--out={out}", f"--save={out}/fit.toml"]
+    fit = [program, "fit", DATA, "--models=c", f"--out={out}/results", f"--save={out}/saved/fit.toml"]
     report = [program, "report", DATA, "--models=c", f"--out={out}"]
-    runs = [program, "runs", LOG, f"--out={out}"]
+    runs = [program, "runs", LOG, f"--out={out}", f"--save={out}/saved/log.toml"]
     return [
         (fit + ["--confidence=0.9"], fit + ["--confidence=0.8"]),
         (report + ["--confidence=0.9"], report + ["--confidence=0.8"]),
@@ -77,7 +77,7 @@ def states(program, folder, pair):
 
 
 def kill_at_random(program, kills, chance, work):
-    mixed = 0
+    completed = 0
     folder = work / "out"
     for pair in commands(program, folder):
         old, new, duration = states(program, folder, pair)
@@ -95,7 +95,11 @@ def kill_at_random(program, kills, chance, work):
             missing = set(old) & set(new) - set(found)
             if missing:
                 raise Fault(f"after a kill {missing} is gone")
-            mixed += found not in (old, new)
+            # Some files are still those of the first run: whoever reads one completes the second.
+            completed += found not in (old, new)
+            run([program, "check", str(folder / chance.choice(list(old)))])
+            if without_former(contents(folder)) not in (old, new):
+                raise Fault("after a kill a reader finds files of two runs")
             ended = run(pair[1])
             if ended.returncode not in (0, 1):
                 raise Fault(f"the run after a kill ended {ended.returncode}: {ended.stderr}")
@@ -103,8 +107,8 @@ def kill_at_random(program, kills, chance, work):
             if leftovers(folder) or found != new:
                 other = [name for name in {*found, *new} if found.get(name) != new.get(name)]
                 raise Fault(f"the run after a kill left {leftovers(folder)}, and {other} are not what it makes")
-    print(f"kills: {3 * (kills // 3)}, every file whole, the next run complete and without leftovers; "
-          f"{mixed} between two renames, with files of both runs")
+    print(f"kills: {3 * (kills // 3)}, every file whole, a reader finds those of one run, the next run is "
+          f"complete and without leftovers; {completed} killed between two renames and completed by the reader")
 
 
 def write_in_pairs(program, pairs, work, prefix=()):

@@ -116,4 +116,5 @@ def runs(
     paths = [os.fspath(one) for one in (*logs, areas) if one is not None]
     _, stated = files_and_constants([], constants)
     where = "" if cuts is None else os.fspath(cuts)
-    return Runs(_core.runs(paths, stated, lag, zero_drift, where, tables(paths, stated)), paths)
+    others = [text for key, text in stated if key in ("definition", "headings")] + ([where] if where else [])
+    return Runs(_core.runs(paths, stated, lag, zero_drift, where, tables(paths, stated)), [*paths, *others])

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "base/phrases.h"
 #include "base/text.h"
 #include "report/figures/svg.h"
 
@@ -59,12 +60,29 @@ bool is_one_of(std::string_view list, const std::string& name) {
 /// Whether a value has only numbers, names, colours and lists of them, and no references.
 bool is_plain(std::string_view value) {
   const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) {
-    return std::isalnum(c) || std::isspace(c) ||
+    return std::isalnum(c) || std::string_view(" \t\r\n").find(static_cast<char>(c)) != std::string_view::npos ||
            std::string_view("#.,()%+-").find(static_cast<char>(c)) != std::string_view::npos;
   });
   const auto same = [](char x, char y) { return std::tolower(static_cast<unsigned char>(x)) == y; };
   constexpr std::string_view kAddress = "url";
   return plain && std::search(value.begin(), value.end(), kAddress.begin(), kAddress.end(), same) == value.end();
+}
+
+/// Whether a viewBox is four numbers and neither side is far longer than the other, as a page would make room for it.
+bool has_shape_of_a_drawing(const char* box) {
+  constexpr double kLongest = 5;
+  double x = 0, y = 0, width = 0, height = 0;
+  int read = 0;
+  return is_plain(box) && std::sscanf(box, "%lf%*[ ,]%lf%*[ ,]%lf%*[ ,]%lf%n", &x, &y, &width, &height, &read) == 4 &&
+         box[read] == '\0' && width > 0 && height > 0 && width < kLongest * height && height < kLongest * width;
+}
+
+/// One line of characters that XML allows; long texts are cut.
+std::string plain_text(std::string text) {
+  constexpr std::size_t kLongest = 4000;  // ours have some 200
+  for (char& c : text)
+    if (c == '\n' || c == '\t' || c == '\r') c = ' ';
+  return printable(text, kLongest);
 }
 
 /// Copies the allowed parts of an element and of its descendants.
@@ -79,34 +97,40 @@ class Copier {
     const bool holds_text = name == "text" || name == "tspan" || name == "title" || name == "desc";
     for (const pugi::xml_node& child : from.children()) {
       if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
-        if (holds_text) to.append_child(pugi::node_pcdata).set_value(child.value());
+        if (holds_text) to.append_child(pugi::node_pcdata).set_value(plain_text(child.value()).c_str());
       } else if (child.type() != pugi::node_element) {
         continue;
       } else if (!is_one_of(kElements, child.name()) || child.name() == std::string_view("svg")) {
-        dropped_.insert(quoted(child.name()));
+        drop(child.name());
       } else if (!copy(child, to.append_child(child.name()), depth + 1)) {
         return false;
       }
     }
     return true;
   }
-  const std::set<std::string>& dropped() const { return dropped_; }
+  std::vector<std::string> dropped() const {
+    constexpr std::size_t kMost = 20;
+    std::vector<std::string> names;
+    for (const std::string& name : dropped_)
+      if (names.size() < kMost) names.push_back(name);
+    if (dropped_.size() > kMost) names.push_back(counted(dropped_.size() - kMost, "other"));
+    return names;
+  }
 
  private:
-  static std::string quoted(std::string_view name) { return "'" + shortened(name) + "'"; }
-  static std::string shortened(std::string_view name) {
-    constexpr std::size_t kMost = 40;
-    return std::string(name.substr(0, kMost)) + (name.size() > kMost ? "..." : "");
+  void drop(std::string_view name) {
+    constexpr std::size_t kLongest = 40;
+    dropped_.insert("'" + printable(name, kLongest) + "'");
   }
   void copy(const pugi::xml_attribute& attribute, pugi::xml_node& to, bool outermost) {
     const std::string name = attribute.name();
     // The page sets the drawing's size; name and text alternative are our own.
-    if (outermost && (name == "width" || name == "height" || name == "role" || name == "aria-label" || name == "xmlns"))
-      return;
-    if (is_one_of(kAttributes, name) && is_plain(attribute.value()))
-      to.append_attribute(attribute.name()).set_value(attribute.value());
+    if (outermost && (name == "width" || name == "height" || name == "role" || name == "aria-label")) return;
+    if (name == "xmlns" || name.starts_with("xmlns:")) return;  // no name with a prefix is kept
+    if (is_one_of(kAttributes, name) && is_plain(attribute.value()) && !to.attribute(name.c_str()))
+      to.append_attribute(name.c_str()).set_value(attribute.value());
     else
-      dropped_.insert(quoted(name));
+      drop(name);
   }
 
   std::set<std::string> dropped_;
@@ -115,10 +139,14 @@ class Copier {
 }  // namespace
 
 KeptFigure kept_figure(const std::string& text, const std::string& name) {
+  constexpr std::size_t kLargest = std::size_t{1} << 22;  // ours have at most some 200 kB
+  if (text.size() > kLargest) return {{}, "is larger than a drawing, 4 MB", {}};
   pugi::xml_document document, rebuilt;
   if (!document.load_string(text.c_str()) || !document.child("svg")) return {{}, "is no SVG", {}};
   const pugi::xml_node from = document.child("svg");
   if (!from.attribute("viewBox")) return {{}, "has no viewBox", {}};
+  if (!has_shape_of_a_drawing(from.attribute("viewBox").value()))
+    return {{}, "has a viewBox that is not that of a drawing", {}};
   pugi::xml_node svg = rebuilt.append_child("svg");
   svg.append_attribute("xmlns").set_value("http://www.w3.org/2000/svg");
   Copier copier;
@@ -128,7 +156,7 @@ KeptFigure kept_figure(const std::string& text, const std::string& name) {
   svg.append_attribute("role").set_value("img");
   svg.append_attribute("aria-label").set_value((figure.title + ". " + figure.caption).c_str());
   figure.drawn = text_of(svg);
-  return {std::move(figure), {}, {copier.dropped().begin(), copier.dropped().end()}};
+  return {std::move(figure), {}, copier.dropped()};
 }
 
 std::string themed(const std::string& value) {

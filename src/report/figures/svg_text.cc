@@ -80,10 +80,13 @@ std::string xml_escaped(std::string_view text) {
   std::size_t kept = 0;  // text before this is already in `out`
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    const bool control = static_cast<unsigned char>(c) < ' ';
+    // XML has no U+FFFE and U+FFFF
+    const bool none = c == '\xEF' && (text.substr(i, 3) == "\xEF\xBF\xBE" || text.substr(i, 3) == "\xEF\xBF\xBF"),
+               control = none || static_cast<unsigned char>(c) < ' ';
     if (!control && c != '&' && c != '<' && c != '>' && c != '"') continue;
     out += text.substr(kept, i - kept);
     out += control ? " " : c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&quot;";
+    if (none) i += 2;
     kept = i + 1;
   }
   return out += text.substr(kept);

@@ -17,7 +17,8 @@ struct SvgText {
   }
 };
 
-/// Escapes text between elements and in attributes; control characters become blanks.
+/// Escapes text between elements and in attributes; control characters, and what XML has no character for, become
+/// blanks.
 std::string xml_escaped(std::string_view text);
 
 /// The content of a text element. A character or {several} after _ or ^ become a subscript or superscript; a character

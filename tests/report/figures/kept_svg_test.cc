@@ -77,10 +77,42 @@ TEST(KeptSvg, KeepsNothingElse) {
   EXPECT_EQ(outermost.dropped, std::vector<std::string>{"'onload'"});
 }
 
+/// A drawing that is kept is XML that every reader takes.
+TEST(KeptSvg, IsWellFormedWhateverItWasMadeOf) {
+  const auto twice = kept_figure(drawing("<g fill=\"red\" fill=\"blue\"/>"), "log_1");
+  EXPECT_NE(twice.figure->drawn.find("<g fill=\"red\"/>"), std::string::npos) << twice.figure->drawn;
+  const auto texts = kept_figure(
+      "<svg viewBox=\"0,0 4 3\"><title>a&#1;\xff\n&#xFFFE;b</title><text>\x02&#8;t<![CDATA[\x80]]></text></svg>",
+      "log_1");
+  ASSERT_TRUE(texts.figure) << texts.reason;
+  EXPECT_EQ(texts.figure->title, "a?? ?b");
+  EXPECT_NE(texts.figure->drawn.find("<text>??t?</text>"), std::string::npos) << texts.figure->drawn;
+  const auto control = kept_figure(drawing("<path d=\"M0&#11;0\"/>"), "log_1");
+  EXPECT_EQ(control.figure->drawn.find("d="), std::string::npos) << control.figure->drawn;
+  const auto long_title =
+      kept_figure("<svg viewBox=\"0 0 4 3\"><title>" + std::string(100000, 'A') + "</title></svg>", "log_1");
+  EXPECT_LT(long_title.figure->drawn.size(), 10000u);
+}
+
+TEST(KeptSvg, NamesAFewOfManyDroppedParts) {
+  std::string many;
+  for (int i = 0; i < 1000; ++i) many += "<e" + std::to_string(i) + "/>";
+  const auto dropped = kept_figure(drawing(many), "log_1").dropped;
+  ASSERT_EQ(dropped.size(), 21u);
+  EXPECT_EQ(dropped.back(), "980 others");
+  EXPECT_TRUE(kept_figure(drawing("", " xmlns:xlink=\"http://www.w3.org/1999/xlink\""), "log_1").dropped.empty());
+}
+
 TEST(KeptSvg, IsRefusedWithAReason) {
   EXPECT_EQ(kept_figure("<html/>", "x").reason, "is no SVG");
   EXPECT_EQ(kept_figure("", "x").reason, "is no SVG");
   EXPECT_EQ(kept_figure("<svg/>", "x").reason, "has no viewBox");
+  for (const char* box :
+       {"", "0 0 1", "0 0 1 1000000", "0 0 9 1", "0 0 -4 3", "0 0 nan 1", "0 0 4 3 onload", "0 0 inf inf"})
+    EXPECT_EQ(kept_figure("<svg viewBox=\"" + std::string(box) + "\"/>", "x").reason,
+              "has a viewBox that is not that of a drawing")
+        << box;
+  EXPECT_EQ(kept_figure(drawing(std::string(5000000, ' ')), "x").reason, "is larger than a drawing, 4 MB");
   std::string deep;
   for (int i = 0; i < 30000; ++i) deep += "<g>";
   for (int i = 0; i < 30000; ++i) deep += "</g>";

@@ -28,5 +28,11 @@ TEST(SvgText, MeasuresWhatIsSetAndNotItsMarkup) {
   EXPECT_NEAR(label_width("n", 20), 2 * label_width("n", 10), 1e-12);
 }
 
+TEST(SvgText, HasCharactersOfXmlAlone) {
+  EXPECT_EQ(xml_escaped("a\x01"
+                        "b\n<\xEF\xBF\xBE\xEF\xBF\xBFz\xEF\xBF\xBD"),
+            "a b &lt;  z\xEF\xBF\xBD");
+}
+
 }  // namespace svg_text_test
 }  // namespace mixity
