@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 
 #include "base/number_text.h"
 #include "cli/commands.h"
@@ -123,6 +124,42 @@ void print_runs_needed(const Plan& plan, const LoadRange& range, const std::vect
             << '\n';
 }
 
+/// Of elliptic contacts: which load and which reach of the shear tell the couplings apart, and in how many runs. chi^2
+/// of the best fit with equal couplings grows in proportion to the number of runs.
+void print_couplings(const Plan& plan, const std::vector<double>& loads) {
+  const std::string equal = plan.model + "-equal";
+  const ContactModel model = ContactModel::find(plan.model).value();
+  const auto parameters = model.parameters();
+  const std::string II(parameters[0].name), III(parameters[(parameters.size() - 1) / 2].name);
+  const double sure = 2 * std::log(kSureOdds);
+  struct Found {
+    double load, reach, chi2;
+    double runs(double wanted) const { return std::ceil(wanted / chi2); }
+  };
+  std::optional<Found> best;
+  std::cout << "[[Couplings]]  runs of " << plan.points << " points for 95% odds that " << III << " is not " << II
+            << "\n    load [mN]   up to 50%   80%       95% of the jump\n";
+  for (const double load : loads) {
+    std::cout << "    " << std::left << std::setw(12) << rounded(load / kMilli, 4);
+    for (const double reach : {0.5, 0.8, 0.95}) {
+      Plan one = plan;
+      one.loads = {load};
+      one.reach = reach;
+      const Found found{load, reach, expect(one, {equal}).least_chi2()};
+      if (!best || found.chi2 > best->chi2) best = found;
+      const bool never = !(found.runs(sure) <= 1e6);
+      std::cout << std::setw(reach == 0.5 ? 12 : 10) << (never ? "-" : rounded(found.runs(sure), 7));
+    }
+    std::cout << '\n';
+  }
+  if (best && best->runs(sure) <= 1e6)
+    std::cout << "    " << III << " is told from " << II << " soonest at " << loads_text({best->load}) << " up to "
+              << rounded(100 * best->reach, 3) << "% of the jump: by "
+              << (best->runs(sure) == 1 ? "1 run" : rounded(best->runs(sure), 7) + " runs") << '\n';
+  else
+    std::cout << "    no number of runs tells " << III << " from " << II << ": they are equal in this plan\n";
+}
+
 void print_outcome(const Plan& plan, const std::vector<std::string>& rivals, const std::string& name) {
   if (plan.loads.empty()) throw UsageError("flag '--experiments' needs loads: --loads, or --runs to find some");
   const Outcome outcome =
@@ -166,6 +203,11 @@ int run_design(const Arguments& arguments) {
     print_best(plan, chosen, range, goal, rivals, name);
   }
   if (is_set("wanted")) print_runs_needed(plan, range, rivals);
+  if (ContactModel::find(plan.model).value().is_elliptic()) {
+    std::vector<double> loads = plan.loads;
+    if (searches) loads = {range.least, std::lerp(range.least, range.most, 0.5), range.most};
+    print_couplings(plan, loads);
+  }
   if (is_set("experiments")) print_outcome(chosen, rivals, name);
   return kFine;
 }

@@ -45,6 +45,7 @@ std::vector<OutputFile> result_files(const std::string& folder, const std::vecto
   for (const Analysis& result : results) {
     const std::string stem = file_stem(result, taken);
     add(stem + "_residuals.csv", residuals_csv(result));
+    if (!result.data.pull_off.empty()) add(stem + "_pull_off.csv", pull_off_csv(result));
     add(stem + "_curves.csv", curves_csv(result));
   }
   add("fits.csv", fits_csv(results));

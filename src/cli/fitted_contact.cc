@@ -85,7 +85,13 @@ std::vector<Load> FittedContact::shears_to_the_jump(const Load& P, std::size_t p
 void FittedContact::print_areas(const std::function<std::vector<Load>(const Load& P)>& shears) const {
   const DisplayUnits& units = data().display;
   std::cout << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ',' << bracketed("A", units.area)
-            << ',' << bracketed("A_stderr", units.area) << ",status\n";
+            << ',' << bracketed("A_stderr", units.area) << ",status";
+  const bool elliptic = ContactModel::find(fit().model).value().is_elliptic();
+  const std::string length = units.area.empty() ? "" : "mm";
+  const double length_scale = data().contact ? data().contact->length_unit() / 1e-3 : 1;
+  for (const char* name : {"a", "a_stderr", "b", "b_stderr"})
+    if (elliptic) std::cout << ',' << bracketed(name, length);
+  std::cout << '\n';
   for (const Load& load : loads_) {
     const std::vector<Load> at = shears(load);
     const std::vector<double> P(at.size(), load.dimensionless);
@@ -98,7 +104,11 @@ void FittedContact::print_areas(const std::function<std::vector<Load>(const Load
       if (area.status == EquilibriumStatus::ok) std::cout << shortest(area.A * units.area_scale);
       std::cout << ',';
       if (area.standard_error) std::cout << shortest(*area.standard_error * units.area_scale);
-      std::cout << ',' << to_string(area.status) << '\n';
+      std::cout << ',' << to_string(area.status);
+      for (const Derived& axis : {area.a, area.b})
+        for (const std::optional<double>& number : {axis.value, axis.standard_error})
+          if (elliptic) std::cout << ',' << (number ? shortest(*number * length_scale) : "");
+      std::cout << '\n';
     }
   }
 }

@@ -36,7 +36,7 @@ void check_units(const Curves& curves, Lines& odd) {
 }
 
 void check_usable(const Dataset& data, Lines& odd) {
-  if (data.points.empty()) odd.push_back("no usable point is left");
+  if (data.points.empty() && data.pull_off.empty()) odd.push_back("no usable point is left");
   const BelowHertz below(data);
   if (below.points == 0) return;
   if (!below.most())

@@ -9,6 +9,7 @@
 #include "base/phrases.h"
 #include "base/text.h"
 #include "dataset/energies.h"
+#include "dataset/pull_off.h"
 #include "dataset/signs.h"
 #include "dataset/table/load_in_words.h"
 #include "dataset/table/vocabulary.h"
@@ -97,6 +98,10 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
   if (const double ratio = std::exp(std::abs(read.axes.q)); ratio > largest_axes_) {
     largest_axes_ = ratio;
     line_of_largest_ = row.line();
+  }
+  if (columns().holds_pull_off()) {
+    data_.pull_off.push_back(read.pull_off);
+    return;
   }
   const Column* const name = columns().find(ColumnId::curve);
   named_ |= run.has_value();
@@ -219,6 +224,7 @@ void Collector::finish() {
   if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
   finish_angles();
+  if (columns().holds_pull_off()) return finish_pull_off(data_);
   if (data_.has_energies) finish_energies(metadata_path_, data_);
   if (!data_.has_loads) return;
   data_.curve_loads = runs_.loads();

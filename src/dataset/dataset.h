@@ -18,6 +18,7 @@
 #include "dataset/metadata.h"
 #include "mechanics/contact.h"
 #include "mechanics/measurement.h"
+#include "mechanics/states.h"
 
 namespace mixity {
 
@@ -63,6 +64,14 @@ struct PointAxes {
   double q = std::numeric_limits<double>::quiet_NaN(), sigma_q = q, correlation = 0;
 };
 
+/// A load, compression positive, at which a contact is pulled off while a tangential load or displacement is held, and
+/// the standard errors of both, dimensionless (or kNotStated).
+struct PullOffReading {
+  Point::Index line = 0;
+  HeldShear held = HeldShear::load;
+  double P = 0, shear = 0, sigma_P = kNotStated, sigma_shear = kNotStated;
+};
+
 /// Why a point has no toughness.
 inline constexpr std::string_view kNoPhaseAngle =
     "y <= 0: the area does not exceed that of Hertz at this load, so no phase angle exists";
@@ -84,6 +93,8 @@ struct Excluded {
 struct DisplayUnits {
   std::string force, area, energy;  // as written in the header; empty if dimensionless
   double force_scale = 1, area_scale = 1, energy_scale = 1;
+  std::string length{};  // of u
+  double length_scale = 1;
 };
 
 /// One of several files that make a data set.
@@ -108,6 +119,7 @@ struct Dataset {
   std::vector<PointErrors> errors;        // per point, if the file states any
   std::vector<PointEnergies> energies;    // per point, if the data are energies
   std::vector<PointAxes> axes;            // per point, if the file has the axes of elliptic contacts
+  std::vector<PullOffReading> pull_off;   // loads of pull-off, which belong to no run
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;   // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads
@@ -163,7 +175,10 @@ struct Dataset {
   }
   /// How the standard errors of the points are called: "sigma_T and sigma_A".
   const char* names_of_errors() const {
-    return has_loads ? "sigma_T and sigma_A" : has_energies ? "sigma_GI and sigma_GII" : "sigma_Gc";
+    return points.empty() && !pull_off.empty() ? "sigma_P and sigma_T"
+           : has_loads                         ? "sigma_T and sigma_A"
+           : has_energies                      ? "sigma_GI and sigma_GII"
+                                               : "sigma_Gc";
   }
   PointErrors errors_of(std::size_t i) const { return errors.empty() ? PointErrors{} : errors[i]; }
 

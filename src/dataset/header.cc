@@ -85,9 +85,18 @@ void add_notes(const Columns& columns, Dataset& data) {
 
 void set_display(const Columns& columns, Dataset& data) {
   DisplayUnits& display = data.display;
-  if (const Column* shear = columns.find(ColumnId::T)) {
+  if (const Column* length = columns.find(ColumnId::u)) {
+    display.length = length->unit.text;
+    display.length_scale = data.contact->displacement_unit() / length->unit.factor;
+  }
+  if (const Column* shear = columns.find(columns.holds_pull_off() ? ColumnId::P_c : ColumnId::T)) {
     display.force = shear->unit.text;
     display.force_scale = data.contact->force_unit() / shear->unit.factor;
+  }
+  if (columns.holds_pull_off()) {  // it has no areas: those of jumps are shown in this unit
+    display.area = "mm^2";
+    display.area_scale = data.contact->area_unit() / 1e-6;
+    return;
   }
   const Column *area = columns.find(ColumnId::A), *length = area ? nullptr : columns.find(columns.lengths()->one);
   const Column& size = area ? *area : *length;
@@ -119,7 +128,9 @@ void take_toughness_unit(const Columns& columns, const std::string& metadata_pat
 
 /// For data with loads: sets the contact.
 void take_contact(const Columns& columns, const std::string& metadata_path, PointUnits& units, Dataset& data) {
-  const Column* const kind = columns.find(columns.has(ColumnId::P) ? ColumnId::P : ColumnId::T);
+  const Column* const kind = columns.find(columns.holds_pull_off()   ? ColumnId::P_c
+                                          : columns.has(ColumnId::P) ? ColumnId::P
+                                                                     : ColumnId::T);
   if (kind->unit.dimension == dimension::none) {
     return;
   }
@@ -130,6 +141,7 @@ void take_contact(const Columns& columns, const std::string& metadata_path, Poin
   data.contact = Contact{known[0], known[1], known[2]};
   units.force = data.contact->force_unit();
   units.length = data.contact->length_unit();
+  units.displacement = data.contact->displacement_unit();
   if (!data.contact->usable()) throw InputError(data.path, "radius, modulus and toughness together are out of range");
 }
 
@@ -141,7 +153,9 @@ std::optional<double> stated_load(const Dataset& data) {
 
 void require_units(const Columns& columns, const std::vector<Heading>& headings, bool load_stated,
                    const std::string& metadata_path, const Dataset& data) {
-  const Column* const kind = columns.holds_loads() ? columns.find(ColumnId::T) : toughness_column(columns);
+  const Column* const kind = columns.holds_pull_off() ? columns.find(ColumnId::P_c)
+                             : columns.holds_loads()  ? columns.find(ColumnId::T)
+                                                      : toughness_column(columns);
   if (!kind || kind->unit.dimension != dimension::none) return;
   std::string constants;
   const auto needed = [&](std::string_view name) {

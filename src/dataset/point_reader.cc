@@ -95,7 +95,8 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) {
   point = {};
   point.point.line = line_of_point(path_, row.line());
   Numbers numbers{path_, columns_, row};
-  const std::string_view reason = columns_.holds_loads()      ? read_loads(numbers, point)
+  const std::string_view reason = columns_.holds_pull_off()   ? read_pull_off(numbers, point)
+                                  : columns_.holds_loads()    ? read_loads(numbers, point)
                                   : columns_.holds_energies() ? read_energies(numbers, point)
                                                               : read_toughness(numbers, point);
   return numbers.unusable.empty() ? reason : numbers.unusable;
@@ -132,6 +133,24 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
   return {};
 }
 
+std::string_view PointReader::read_pull_off(Numbers& number, ReadPoint& read) const {
+  const bool by_load = columns_.has(ColumnId::T);
+  const ColumnId held = by_load ? ColumnId::T : ColumnId::u, sigma = by_load ? ColumnId::sigma_T : ColumnId::sigma_u;
+  double in_P = kNotStated, in_shear = kNotStated;
+  const double P = number.with_error(ColumnId::P_c, ColumnId::sigma_P, in_P),
+               shear = number.with_error(held, sigma, in_shear), unit = by_load ? units_.force : units_.displacement;
+  PullOffReading& reading = read.pull_off;
+  reading.line = read.point.line;
+  reading.held = by_load ? HeldShear::load : HeldShear::displacement;
+  reading.P = P / units_.force + 0.0;
+  reading.shear = shear / unit;
+  if (!(std::abs(reading.P) <= kMostQuantity) || !(std::abs(reading.shear) <= kMostPullOffShear))
+    return "P_c, T or u is out of range";
+  number.standard_error(ColumnId::sigma_P, reading.P, units_.force, in_P, reading.sigma_P);
+  number.standard_error(sigma, reading.shear, unit, in_shear, reading.sigma_shear);
+  return {};
+}
+
 /// Sets the ratio of the axes of an ellipse and, in SI, its area with its standard error.
 std::string_view PointReader::read_axes(const ContactLengths& lengths, Numbers& number, double& area, double& sigma_A,
                                         PointAxes& axes) const {
@@ -140,15 +159,10 @@ std::string_view PointReader::read_axes(const ContactLengths& lengths, Numbers& 
                other = number.with_error(lengths.other, ColumnId::sigma_a_perp, in_other);
   if (!(one > 0) || !(other > 0)) return "an axis of the ellipse <= 0";
   area = std::numbers::pi * one * other / lengths.parts;
-  // of the longer axis from the shear; without it an image program's ellipse is taken as shorter along the shear
-  double turned = 1;
-  if (lengths.one == ColumnId::major) {
-    turned = -1;
-    if (const Column* const angle = columns_.find(ColumnId::angle)) {
-      const bool degrees = angle->unit.dimension == dimension::none;
-      turned = std::cos(2 * number(ColumnId::angle) * (degrees ? std::numbers::pi / 180 : 1));
-    }
-  }
+  std::optional<double> turn;
+  if (const Column* const angle = lengths.one == ColumnId::major ? columns_.find(ColumnId::angle) : nullptr)
+    turn = number(ColumnId::angle) * (angle->unit.dimension == dimension::none ? std::numbers::pi / 180 : 1);
+  const double turned = turn_of_axes(lengths, turn);
   axes.q = std::log(one / other) * turned;
   // the columns state errors of semi-axes
   const double half = lengths.parts == 4 ? 2 : 1;

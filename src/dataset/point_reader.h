@@ -13,9 +13,9 @@
 
 namespace mixity {
 
-/// The units of points in SI: force, length and toughness ratio; 1 for dimensionless data.
+/// The units of points in SI: force, length, toughness ratio and tangential displacement; 1 for dimensionless data.
 struct PointUnits {
-  double force = 1, length = 1, ratio = 1;
+  double force = 1, length = 1, ratio = 1, displacement = 1;
 };
 
 /// The load common to all points, in SI, from the metadata or the name of the file; null if neither states it. Throws
@@ -42,6 +42,7 @@ struct ReadPoint {
   PointErrors errors;
   PointEnergies energies;
   PointAxes axes;
+  PullOffReading pull_off;
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign
 };
@@ -63,6 +64,7 @@ class PointReader {
  private:
   struct Numbers;
   std::string_view read_loads(Numbers& number, ReadPoint& point) const;
+  std::string_view read_pull_off(Numbers& number, ReadPoint& point) const;
   std::string_view read_axes(const ContactLengths& lengths, Numbers& number, double& area, double& sigma_A,
                              PointAxes& axes) const;
   std::string_view read_toughness(Numbers& number, ReadPoint& point) const;

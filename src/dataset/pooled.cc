@@ -92,6 +92,14 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
     point.curve += static_cast<Point::Index>(first_run);
   }
   append(part.points, points, whole.points, whole.points.size());
+  if (!part.pull_off.empty() && part.contact && part.contact->radius != whole.contact->radius)
+    throw InputError(part.path, "holds pull-off loads of another sphere; fit them with the runs on that sphere");
+  for (PullOffReading& one : part.pull_off) one.line = line_of_point(part.path, first_line + one.line);
+  append(part.pull_off, part.pull_off.size(), whole.pull_off, whole.pull_off.size());
+  if (whole.display.length.empty()) {
+    whole.display.length = part.display.length;
+    whole.display.length_scale = part.display.length_scale;
+  }
   for (Excluded& excluded : part.excluded) excluded.line += first_line;
   append(part.excluded, part.excluded.size(), whole.excluded, whole.excluded.size());
   whole.rows += part.rows;
@@ -171,6 +179,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     }
     std::size_t last = 0;
     for (const Point& point : part.points) last = std::max<std::size_t>(last, point.line);
+    for (const PullOffReading& one : part.pull_off) last = std::max<std::size_t>(last, one.line);
     for (const Excluded& excluded : part.excluded) last = std::max(last, excluded.line);
     whole.files.push_back({file.path, lines});
     add(std::move(part), file, whole);

@@ -208,7 +208,7 @@ bool may_reach(const Case& of, Constant constant) {
 /// Whether a fit fails clearly, whatever the proportions of the errors.
 bool is_hopeless(const Dataset& data, const FitResult& fit) {
   constexpr double kSurely = 1e-6;
-  if (!is_found(fit) || fit.residuals.empty()) return true;
+  if (!is_found(fit) || (fit.residuals.empty() && fit.pull_off_residuals.empty())) return true;
   const ResidualTests tests = test_consistency(data, fit).residuals;
   return is_far(tests) || tests.course_p < kSurely;
 }
@@ -254,7 +254,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   }
   // A course common to all runs is not a difference between them.
   const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
-  if (!of.to_beat && !shared && of.fit.axes == 0)  // by_run knows areas alone
+  if (!of.to_beat && !shared && of.fit.rows() == of.fit.used.size())  // by_run knows areas alone
     for (const std::string& quantity : differing_quantities(of.fit))
       consider(of, of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
   for (Cause& one : list) one.misfit = misfit(one.fit);

@@ -6,6 +6,7 @@
 
 #include "base/threads.h"
 #include "fitting/curve_blocks.h"
+#include "fitting/pull_off_rows.h"
 
 namespace mixity {
 namespace {
@@ -42,7 +43,7 @@ bool CurveObjective::evaluate_again(std::span<const double> x, std::span<double>
 }
 
 std::size_t CurveObjective::parts() const {
-  return whitening_ || axes_rows_ > 0
+  return whitening_ || axes_rows_ > 0 || pull_off_count() > 0
              ? 1
              : std::max<std::size_t>((blocks_.size() - 1 + kBlocksOfAPart - 1) / kBlocksOfAPart, 1);
 }
@@ -72,26 +73,42 @@ bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::v
 }
 
 bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
-  if (!sample_) return all_blocks(x, points_, Search::rough, with_axes({residuals, {}, {}}));
+  if (!sample_)
+    return all_blocks(x, points_, Search::rough, with_axes({residuals, {}, {}})) && add_pull_off(x, residuals, {});
   std::fill(residuals.begin(), residuals.end(), 0.0);
-  return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count()));
+  return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count())) && add_pull_off(x, residuals, {});
 }
 
 bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                   std::span<double> places) const {
   if (!all_blocks(x, points_, Search::global, with_axes({residuals, jacobian, places}))) return false;
+  if (!add_pull_off(x, residuals, jacobian)) return false;
   take_off_and_whiten(residuals, jacobian);
   return true;
 }
 
 CurveObjective::Wanted CurveObjective::with_axes(Wanted wanted) const {
-  if (axes_rows_ > 0) wanted.axes = wanted.residuals.subspan(points_.size);
+  if (axes_rows_ > 0) wanted.axes = wanted.residuals.subspan(points_.size, axes_rows_);
   return wanted;
+}
+
+std::size_t CurveObjective::pull_off_count() const { return points_.pull_off ? points_.pull_off->size() : 0; }
+
+/// Fills the rows of pull-off loads, which are the last. The Jacobian may be empty.
+bool CurveObjective::add_pull_off(std::span<const double> x, std::span<double> residuals,
+                                  std::span<double> jacobian) const {
+  if (!points_.pull_off) return true;
+  Candidate at = candidate(x);
+  model().make_continuous(at.parameters);
+  const std::size_t n = pull_off_count();
+  return pull_off_rows(*points_.pull_off, choice_, at, residuals.last(n),
+                       jacobian.empty() ? jacobian : jacobian.last(n * choice_.size()));
 }
 
 bool CurveObjective::evaluate_both(std::span<const double> x, std::span<double> residuals,
                                    std::vector<double>& distances) const {
   if (!all_blocks(x, points_, Search::global, with_axes({residuals, {}, {}}))) return false;
+  if (!add_pull_off(x, residuals, {})) return false;
   distances.assign(residuals.begin(), residuals.begin() + static_cast<std::ptrdiff_t>(points_.size));
   take_off_and_whiten(residuals, {});
   return true;
@@ -119,6 +136,8 @@ std::optional<NearestPlaces> CurveObjective::nearest(std::span<const double> x, 
   found.axes.resize(axes_rows_);
   if (!all_blocks(x, points_, Search::global, {found.residuals, jacobian, {}, &found, false, from_nearest, found.axes}))
     return std::nullopt;
+  found.pull_off.resize(pull_off_count());
+  if (!add_pull_off(x, found.pull_off, jacobian)) return std::nullopt;
   if (!jacobian.empty()) whiten(jacobian);
   return found;
 }

@@ -21,8 +21,9 @@ class CurveObjective final : public ModelProblem {
   CurveObjective(MeasuredPoints points, FreeChoice choice, std::vector<double> expected = {},
                  std::shared_ptr<const Whitening> whitening = {}, std::vector<ParameterValues> shifts = {});
 
-  /// Those of the points, then those of the axes that were measured.
-  std::size_t residual_count() const override { return points_.size + axes_rows_; }
+  /// Those of the points, then those of the axes that were measured, then those of pull-off loads.
+  std::size_t residual_count() const override { return points_.size + axes_rows_ + pull_off_count(); }
+  std::size_t pull_off_count() const;
   /// The row of a point's axes, which follow those of the points; 0: none.
   std::size_t row_of_axes(std::size_t point) const { return axes_row_.empty() ? 0 : axes_row_[point]; }
   /// The norm of the data, T included.
@@ -91,6 +92,7 @@ class CurveObjective final : public ModelProblem {
   struct OfAxes;
   void list_axes();
   Wanted with_axes(Wanted wanted) const;
+  bool add_pull_off(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const;
   bool residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                     std::span<double> places) const;
   bool all_blocks(std::span<const double> x, const MeasuredPoints& points, Search search, const Wanted& wanted) const {

@@ -8,6 +8,7 @@
 #include "base/threads.h"
 #include "fitting/curve_blocks.h"
 #include "fitting/curve_objective.h"
+#include "fitting/pull_off_rows.h"
 
 namespace mixity {
 
@@ -31,6 +32,10 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
   data_norm_ = std::sqrt(sum_of(std::pow(std::sqrt(areas), 2), [](const PointArrays& block, std::size_t k) {
     return std::pow(block.T[k] / block.sigma_T[k], 2);
   }));
+  for (std::size_t i = 0; i < pull_off_count(); ++i) {
+    const MeasuredPullOff& one = (*points_.pull_off)[i];
+    data_norm_ = std::hypot(data_norm_, one.P / one.sigma_P);
+  }
   std::size_t run_before = 0;
   for (std::size_t rank = 0; rank < n; rank += shifts_.empty() ? kBlock : 1) {
     const std::size_t run = shifts_.empty() ? 0 : points_.at(index_of(rank)).run;

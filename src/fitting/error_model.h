@@ -21,7 +21,8 @@ struct NearestPlaces {
   /// A residual is load_T times the noise in |T| plus load_A times that in A, each in its standard error; load_T^2 +
   /// load_A^2 = 1.
   std::vector<double> load_T, load_A;
-  std::vector<double> axes{};  // the residuals of the axes of elliptic contacts, behind the others in the Jacobian
+  std::vector<double> axes{};      // the residuals of the axes of elliptic contacts, behind the others in the Jacobian
+  std::vector<double> pull_off{};  // those of pull-off loads, the last
 };
 
 /// What the estimate knows about one axis.

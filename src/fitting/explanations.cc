@@ -112,7 +112,7 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
 }
 
 bool explains(const Dataset& data, const FitResult& fit) {
-  if (fit.residuals.empty()) return false;
+  if (fit.residuals.empty() && fit.pull_off_residuals.empty()) return false;
   const Consistency consistency = test_consistency(data, fit);
   const ResidualTests& tests = consistency.residuals;
   return !runs_differ(fit, kHardly) && !wrong_constant(fit) && consistency.chi2_p.value_or(1) > kHardly &&

@@ -10,6 +10,7 @@
 #include "fitting/explanations.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
+#include "fitting/pull_off_rows.h"
 #include "solver/linear_algebra.h"
 #include "solver/refit.h"
 #include "solver/verdict.h"
@@ -25,6 +26,7 @@ constexpr double kNearEnough = 1e-10;
 /// The number of distinct points, counted up to `enough`: repeated rows carry no information about errors.
 std::size_t distinct_points(const Dataset& data, const PointIndices& used, std::size_t enough) {
   std::set<std::tuple<double, double, double>> distinct;
+  for (const PullOffReading& one : data.pull_off) distinct.insert({one.P, std::abs(one.shear), -1.0});
   for (const std::size_t i : used) {
     if (distinct.size() == enough) break;
     if (data.has_loads)
@@ -65,7 +67,7 @@ FitResult Fitter::run() {
     return finished();
   }
   const bool as_the_paper = purpose_ == Purpose::shown || (some && starting_.near.empty());
-  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper)
+  if (prepared_.objective == Objective::curve && data_.has_loads && as_the_paper && !prepared_.used.empty())
     prepared_.model.is_elliptic() ? start_at_circles() : fit_as_the_paper();
   // rough fractions of the time: until the minimum, and until the resampling
   const double found = options_.profile_points > 0 ? 0.1 : 0.4,
@@ -92,6 +94,7 @@ FitResult Fitter::run() {
     for (const double r : result_.innovations) result_.sum_of_squares += r * r;
     for (const double r : result_.axes_residuals)
       if (std::isfinite(r)) result_.sum_of_squares += r * r;
+    for (const double r : result_.pull_off_residuals) result_.sum_of_squares += r * r;
   }
   suspect_wide_errors();
   if (checked()) test_residuals(x);
@@ -123,6 +126,9 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     result_.free_parameters = unknown();  // the other parameters each have a residual: their prior
     result_.sum_of_squares *= unit_ * unit_;
     if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
+    if (const std::size_t n = without_pull_off_error(data_); result_.pull_off > 0 && n > 0)
+      result_.log_variances +=
+          2 * static_cast<double>(n) * std::log(result_.errors->pull_off / assumed_pull_off_error(data_));
     if (result_.axes > 0) result_.log_variances += log_variances_of_axes(data_, prepared_.used, *result_.errors);
     if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
     if (deeper.empty() && checked()) test_runs(x);
@@ -143,7 +149,7 @@ bool Fitter::has_too_few_points() {
   if (distinct >= few) return false;
   result_.status = FitStatus::not_identifiable;
   if (distinct <= p)
-    result_.message = too_few_points(distinct, prepared_.used.size(), p);
+    result_.message = too_few_points(distinct, prepared_.used.size() + result_.pull_off, p);
   else
     result_.message = "the loss t needs " + std::to_string(few) + " different points, here are " +
                       std::to_string(distinct) + ": " + Remedy::set("loss", "huber");
@@ -165,7 +171,8 @@ void Fitter::describe() {
   result_.excluded = prepared_.excluded;
   result_.excluded_reason = prepared_.excluded_reason;
   result_.errors = prepared_.errors;
-  result_.axes = problem_->residual_count() - prepared_.used.size();
+  result_.pull_off = prepared_.objective == Objective::curve ? data_.pull_off.size() : 0;
+  result_.axes = problem_->residual_count() - prepared_.used.size() - result_.pull_off;
   for (const ParameterInfo& info : prepared_.model.parameters()) {
     const std::size_t k = result_.parameters.size();
     FittedParameter& shown = result_.parameters.emplace_back(
@@ -237,7 +244,8 @@ Verdict Fitter::find_minimum() {
   cost_.reset();  // cost_ and robust_ refer to the previous problem
   robust_.reset();
   off_course_.reset();  // from a search that starts again
-  const bool fitted_errors = prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors;
+  const bool fitted_errors =
+      prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors && !prepared_.used.empty();
   Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);
   const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
   if (reweighted && !settle_weights(verdict)) return verdict;

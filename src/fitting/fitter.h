@@ -47,6 +47,7 @@ class Fitter {
   bool leads_to_the_same_errors(const std::vector<double>& x);
   void restore_errors();
   double size_axes(const NearestPlaces& nearest);
+  double size_pull_off(const NearestPlaces& nearest);
   double log_size_of_areas() const;
   double take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest);
   bool expects_distances(const std::vector<double>& x);
@@ -77,6 +78,7 @@ class Fitter {
   Verdict minimum_of(const Problem& data);
   void add_evidence(const Verdict& verdict);
   void add_budget(const std::vector<double>& x, const Verdict& verdict);
+  void add_pull_off(const std::vector<double>& x);
   void add_goodness(const std::vector<double>& x);
   void test_residuals(const std::vector<double>& x);
   void suspect_wide_errors();

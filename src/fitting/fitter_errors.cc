@@ -165,7 +165,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const double of_expected = change;
     expected.reset();
     const double of_axes = size_axes(*nearest);
-    change = std::max(change, std::abs(of_axes));
+    change = std::max({change, std::abs(of_axes), std::abs(size_pull_off(*nearest))});
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
     if (options_.loss == Loss::t) weigh_as_student(nearest->residuals);
     // A model that does not describe the data says nothing about their errors. With few runs, correlated noise cannot
@@ -267,6 +267,21 @@ double Fitter::size_axes(const NearestPlaces& nearest) {
                change = std::sqrt(squares / freedom);
   if (!(change > 0)) return 0;
   prepared_.errors->axes_factor *= change;
+  return std::log(change);
+}
+
+/// Sets the standard error of pull-off loads that state none. Returns the change of its logarithm.
+double Fitter::size_pull_off(const NearestPlaces& nearest) {
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; i < nearest.pull_off.size(); ++i) {
+    if (data_.pull_off[i].sigma_P >= 0) continue;
+    squares += nearest.pull_off[i] * nearest.pull_off[i];
+    ++count;
+  }
+  // they determine about one parameter
+  const double change = count > 0 ? std::sqrt(squares / std::max(count - 1, 1.0)) : 0;
+  if (!(change > 0)) return 0;
+  prepared_.errors->pull_off *= change;
   return std::log(change);
 }
 

@@ -11,6 +11,7 @@
 #include "fitting/fitter.h"
 #include "fitting/heavy_points.h"
 #include "fitting/predicted_area.h"
+#include "fitting/pull_off_rows.h"
 #include "solver/evidence.h"
 #include "statistics/distributions.h"
 
@@ -63,6 +64,10 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
     shear = std::max(shear, data_.points[i].shear());
     area = std::max(area, data_.points[i].A);
   }
+  for (const PullOffReading& one : data_.pull_off) {
+    load = std::max(load, std::abs(one.P));
+    if (one.held == HeldShear::load) shear = std::max(shear, std::abs(one.shear));
+  }
   // A drift needs three runs, hysteresis needs areas with and without shear.
   bool with = false, without = false;
   if (data_.has_loads) {
@@ -77,7 +82,8 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   for (const Constant c : kAllConstants) {
     const bool fitted = std::any_of(prepared_.fitted.begin(), prepared_.fitted.end(),
                                     [&](const FittedConstant& one) { return one.constant == c; });
-    if (fitted || (!data_.has_loads && c != kToughness) || !acts(c)) continue;
+    const bool of_areas = c == kAreaScale || c == kAreaOffset;
+    if (fitted || (!data_.has_loads && c != kToughness) || !acts(c) || (of_areas && prepared_.used.empty())) continue;
     all.fitted.push_back({c, prepared_.constants[c], 0});
     const double size = c == kLoadOffset ? load : c == kShearOffset ? shear : area;
     exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : is_change(c) ? 0.01 : 0.01 * size});
@@ -115,14 +121,39 @@ void Fitter::add_goodness(const std::vector<double>& x) {
       result_.axes_residuals.push_back(row > 0 ? result_.innovations[row] : std::numeric_limits<double>::quiet_NaN());
     }
   }
+  add_pull_off(x);
   result_.innovations.resize(result_.used.size());
-  const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());
+  const bool alone = result_.used.empty() && result_.pull_off > 0;
+  std::vector<double> targets = problem_->targets(), weights = problem_->weights();
+  for (std::size_t i = 0; alone && i < data_.pull_off.size(); ++i) {
+    const MeasuredPullOff one = measured_pull_off(data_.pull_off[i], result_.errors->pull_off, 0);
+    weights.push_back(1 / one.sigma_P);
+    targets.push_back(one.P / one.sigma_P);
+  }
+  const Goodness fit = goodness(alone ? result_.pull_off_residuals : result_.residuals, targets, weights);
   result_.r2 = fit.r2;
   result_.rmse = fit.rmse;
   result_.max_abs_residual = fit.max_abs_residual;
   if (purpose_ != Purpose::shown) return;
-  result_.standard_error = problem_->known_errors() ? 1 : spread(result_.residuals);
+  result_.standard_error =
+      problem_->known_errors() ? 1 : spread(alone ? result_.pull_off_residuals : result_.residuals);
   if (data_.has_loads) result_.area = area_goodness(data_, result_.used, prepared_.model, problem_->candidate(x));
+}
+
+/// The residuals of pull-off loads, which are the last, and the model's loads.
+void Fitter::add_pull_off(const std::vector<double>& x) {
+  if (result_.pull_off == 0) return;
+  result_.pull_off_residuals.assign(result_.innovations.end() - static_cast<std::ptrdiff_t>(result_.pull_off),
+                                    result_.innovations.end());
+  const Candidate at = problem_->candidate(x);
+  const ConstantsScale scale(at.constants);
+  for (const PullOffReading& one : data_.pull_off) {
+    const double shear =
+        std::abs(one.held == HeldShear::load ? scale.shear(one.shear) : scale.displacement * one.shear);
+    PullOff found;
+    prepared_.model.pull_off(at.parameters, one.held, {&shear, 1}, {&found, 1}, {});
+    result_.pull_off_loads.push_back(scale.measured_load(found.P));
+  }
 }
 
 /// Tests the assumptions of the fit, unless its residuals are only rounding.
@@ -130,7 +161,8 @@ void Fitter::test_residuals(const std::vector<double>& x) {
   const double rounding = 100 * residual_rounding(*problem_);
   const bool judged = result_.status == FitStatus::ok || result_.status == FitStatus::at_bound ||
                       result_.status == FitStatus::multimodal || result_.status == FitStatus::suspect;
-  if (!judged || result_.residuals.empty() || !(result_.sum_of_squares > rounding * rounding)) return;
+  if (!judged || result_.residuals.size() + result_.pull_off == 0 || !(result_.sum_of_squares > rounding * rounding))
+    return;
   result_.consistency = test_consistency(data_, result_);
   result_.consistency->heavy = heavy_points(data_, result_, [&] {
     // Of many points those of the last round serve, whose errors moved the fit by next to nothing.

@@ -176,7 +176,7 @@ void Fitter::test_runs(const std::vector<double>& x) {
   } else {
     rows = run_rows(data_, options_, prepared_, x, residuals, tested, unit);
     groups = used_runs(data_, prepared_.used).groups;
-    if (!of_axes.empty()) add_rows_of_axes(groups);
+    if (result_.axes > 0) add_rows_of_axes(groups);  // pull-off loads belong to no run
   }
   if (!rows) return;
   // Removes what is already fitted by run.

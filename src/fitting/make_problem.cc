@@ -7,6 +7,7 @@
 #include "fitting/energy_objective.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/prepare.h"
+#include "fitting/pull_off_rows.h"
 #include "fitting/toughness_objective.h"
 #include "fitting/whitening.h"
 #include "solver/descent.h"
@@ -115,6 +116,13 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     points = std::move(list);
   }
   points.axes = std::move(axes);
+  if (prepared.objective == Objective::curve && !data.pull_off.empty()) {
+    auto list = std::make_shared<std::vector<MeasuredPullOff>>();
+    const double common = prepared.errors ? prepared.errors->pull_off : assumed_pull_off_error(data),
+                 least = kLeastError * largest_pull_off(data);
+    for (const PullOffReading& one : data.pull_off) list->push_back(measured_pull_off(one, common, least));
+    points.pull_off = std::move(list);
+  }
   return points;
 }
 
@@ -158,6 +166,10 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   FreeChoice choice = choice_of_model(prepared);
   double largest_load = 1, largest_shear = 1,
          smallest_area = prepared.used.empty() ? 1 : std::numeric_limits<double>::infinity();
+  for (const PullOffReading& one : data.pull_off) {
+    largest_load = std::max(largest_load, std::abs(one.P));
+    if (one.held == HeldShear::load) largest_shear = std::max(largest_shear, std::abs(one.shear));
+  }
   for (std::size_t k = 0; k < (prepared.fitted.empty() ? 0 : prepared.used.size()); ++k) {
     const std::size_t i = prepared.used[k];
     largest_load = std::max(largest_load, std::abs(data.points[i].P));
@@ -238,7 +250,10 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
   }
   // a file of psi and Gc can only be weighted by its sigma_Gc
   const bool energies_without = data.has_energies && data.errors.empty();
-  problem->set_known_errors(weighted && !energies_without && (!prepared.errors || prepared.errors->absolute()));
+  const bool absolute =
+      !prepared.errors || (prepared.used.empty() && !data.pull_off.empty() ? without_pull_off_error(data) == 0
+                                                                           : prepared.errors->absolute());
+  problem->set_known_errors(weighted && !energies_without && absolute);
   return problem;
 }
 

@@ -33,6 +33,8 @@ struct MeasuredAxes {
   double q, sigma_q, slant;
 };
 
+struct MeasuredPullOff;
+
 /// The numbers of some measured points.
 struct PointArrays {
   std::span<double> P, T, A, sigma_T, sigma_A, near_T, near_A;
@@ -64,7 +66,8 @@ class MeasuredPoints {
   bool has_places() const { return source_->has_places(); }
 
   std::size_t size;
-  std::shared_ptr<const std::vector<MeasuredAxes>> axes{};  // null: not fitted
+  std::shared_ptr<const std::vector<MeasuredAxes>> axes{};         // null: not fitted
+  std::shared_ptr<const std::vector<MeasuredPullOff>> pull_off{};  // null: none
 
  private:
   std::shared_ptr<const PointSource> source_;

@@ -145,6 +145,11 @@ void test_runs(const FitResult& pooled, const SeparateFits& separate, PerCurve& 
 }  // namespace
 
 PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& asked) {
+  if (!data.pull_off.empty()) {  // they belong to no run
+    Dataset areas = data;
+    areas.pull_off.clear();
+    return fit_per_curve(areas, model, asked);
+  }
   PerCurve result;
   FitOptions options = asked;
   options.fitted_errors = false;  // with one value for differing runs, the differences would be taken for noise

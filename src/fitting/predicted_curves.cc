@@ -107,6 +107,25 @@ std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const Fit
   return drawn;
 }
 
+std::vector<std::pair<double, double>> drawn_pull_off(const Dataset& data, const FitOptions& options,
+                                                      const FitResult& fit, HeldShear held, double most,
+                                                      std::size_t points) {
+  const ContactModel model = model_of(fit);
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const ConstantsScale scale(candidate.constants);
+  std::vector<double> as_read(points), shear(points);
+  std::vector<PullOff> found(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    as_read[i] = most * static_cast<double>(i) / static_cast<double>(points - 1);
+    shear[i] = std::abs(held == HeldShear::load ? scale.shear(as_read[i]) : scale.displacement * as_read[i]);
+  }
+  model.pull_off(candidate.parameters, held, shear, found, {});
+  std::vector<std::pair<double, double>> drawn;
+  for (std::size_t i = 0; i < points; ++i)
+    if (std::isfinite(found[i].P)) drawn.emplace_back(as_read[i], scale.measured_load(found[i].P));
+  return drawn;
+}
+
 DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
                        std::size_t points) {
   const ContactModel model = model_of(fit);

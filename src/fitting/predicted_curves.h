@@ -52,6 +52,11 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
 std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                                   std::size_t run, std::size_t points = 100);
 
+/// Pull-off loads at shears from 0 to `most`, both as they would be read, dimensionless.
+std::vector<std::pair<double, double>> drawn_pull_off(const Dataset& data, const FitOptions& options,
+                                                      const FitResult& fit, HeldShear held, double most,
+                                                      std::size_t points = 101);
+
 /// Contact radius a(P) at a tangential load T (as measured, dimensionless) for loads up to P_most: the stable and the
 /// unstable part, which meet at pull-off.
 struct DrawnRadii {

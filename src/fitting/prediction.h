@@ -23,6 +23,8 @@ struct AreaPrediction {
   EquilibriumStatus status;  // no_equilibrium: beyond the last one, or below pull-off; then A is 0
   double A = 0;
   std::optional<double> standard_error{};
+  // Of elliptic contacts: the semi-axes along and across the shear, in units of a length whose square is one of A.
+  Derived a{}, b{};
 };
 
 /// Predicts areas at measured loads (fitted offsets are added); `options` are those of the fit. Empty if the fit has no

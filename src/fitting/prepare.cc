@@ -56,6 +56,14 @@ void require_what_is_asked(const Dataset& data, const ContactModel& model, const
     refuse("what differs by run is fitted to areas: the axes of elliptic contacts have one set of parameters");
   if (model.is_elliptic() && !data.axes.empty() && (options.bootstrap.replicates > 0 || options.influence))
     refuse("bootstrap and influence are of points with areas alone: the axes of elliptic contacts are not resampled");
+  if (!data.pull_off.empty() && model.is_elliptic())
+    refuse("pull-off loads are those of circular contacts; fit them without " + Remedy::set("shape", "ellipse"));
+  if (!data.pull_off.empty() && data.points.empty() && !curve)
+    refuse("pull-off loads have no phase angle: fit them with " + Remedy::set("objective", "curve"));
+  if (!data.pull_off.empty() && !options.by_run.empty())
+    refuse("what differs by run is fitted to areas: pull-off loads belong to no run");
+  if (!data.pull_off.empty() && curve && (options.bootstrap.replicates > 0 || options.influence))
+    refuse("bootstrap and influence are of points with areas: pull-off loads are not resampled");
   if (data.has_energies && !curve && !options.free.empty())
     refuse("with energies (G_I, G_II), the toughness can be free under " + Remedy::set("objective", "curve"));
   if (!data.toughness_known && !(energies && !options.free.empty()))

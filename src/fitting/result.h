@@ -266,13 +266,16 @@ struct FitResult {
   std::vector<double> axes_residuals;  // of ln(a/b) per used point, in standard errors, NaN where it was not measured;
                                        // empty unless axes are fitted
   std::size_t axes = 0;                // how many residuals are those of the axes of elliptic contacts
-  std::vector<std::string> run_names;  // names for Influence::runs
-  double loss_scale = 0;               // in units of the residuals; 0 without a robust loss
-  double loss_freedom = 0;             // fitted degrees of freedom of the loss `t`; 0 for other losses
+  std::vector<double> pull_off_residuals;  // of Dataset::pull_off in its order, in standard errors; empty without
+  std::vector<double> pull_off_loads;      // of the model at the readings' shears, as they would be read; dimensionless
+  std::size_t pull_off = 0;                // how many residuals are those of pull-off loads
+  std::vector<std::string> run_names;      // names for Influence::runs
+  double loss_scale = 0;                   // in units of the residuals; 0 without a robust loss
+  double loss_freedom = 0;                 // fitted degrees of freedom of the loss `t`; 0 for other losses
 
   bool has_values() const { return status != FitStatus::not_identifiable; }
-  /// The number of residuals: of the points, and of the axes of elliptic contacts.
-  std::size_t rows() const { return used.size() + axes; }
+  /// The number of residuals: of the points, of the axes of elliptic contacts, and of pull-off loads.
+  std::size_t rows() const { return used.size() + axes + pull_off; }
   /// Degrees of freedom: residuals minus free parameters, at least 0.
   std::size_t freedom() const { return rows() > free_parameters ? rows() - free_parameters : 0; }
 };

@@ -8,6 +8,7 @@
 #include "base/input_error.h"
 #include "base/number_text.h"
 #include "base/threads.h"
+#include "fitting/pull_off_rows.h"
 #include "statistics/readings.h"
 #include "statistics/steps.h"
 
@@ -164,6 +165,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
   const bool has_A = sigma_A || any([](const PointErrors& e) { return e.A >= 0; });
   const bool has_T = sigma_T || any([](const PointErrors& e) { return e.T >= 0; });
   StandardErrors errors;
+  if (!data.pull_off.empty()) errors.pull_off = assumed_pull_off_error(data);
   errors.source_A = sigma_A ? ErrorSource::stated : has_A ? ErrorSource::columns : ErrorSource::scatter;
   errors.source_T = sigma_T               ? ErrorSource::stated
                     : has_T               ? ErrorSource::columns

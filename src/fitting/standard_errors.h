@@ -60,6 +60,7 @@ struct StandardErrors {
   RunDifferences runs{};                           // as far as requested
   double step_T = 0, step_A = 0;                   // resolution with which T and A were read; 0: none found
   double axes_factor = 1;  // of ln(a/b), where none is stated: this times the relative error of A
+  double pull_off = 0;     // of loads of pull-off, where none is stated
   double freedom = 0;      // degrees of freedom of the estimate from the fit; 0: no estimate
   /// Per point of the data set, at the fitted curve: T and A, NearestPlaces::load_T and load_A, and the distance from
   /// the curve expected from its curvature. Empty before a fit.

@@ -48,7 +48,12 @@ std::unique_ptr<ModelProblem> problem_of(const Dataset& data, const PreparedFit&
 }  // namespace
 
 std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOptions& options) {
-  if (!data.has_loads) return std::nullopt;
+  if (!data.has_loads || data.points.empty()) return std::nullopt;
+  if (!data.pull_off.empty()) {
+    Dataset areas = data;
+    areas.pull_off.clear();
+    return test_unsheared(areas, options);
+  }
   const std::vector<std::size_t> points = unsheared_points(data);
   FitOptions as_stated;
   as_stated.sigma_T = options.sigma_T;

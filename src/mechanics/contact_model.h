@@ -140,6 +140,11 @@ class ContactModel {
   /// The states at the tangential load T with these edge loads y > 0.
   std::vector<ConstantShearPoint> at_constant_shear(std::span<const double> p, double T,
                                                     std::span<const double> y) const;
+  /// The lowest load of a contact at each shear that is held, 0 <= shear <= kMostPullOffShear, and its derivatives in
+  /// the parameters (point after point), unless `gradient` is empty. Relative error of P below 1e-13, or of the edge
+  /// load where that is larger. NaN for elliptic contacts.
+  void pull_off(std::span<const double> p, HeldShear held, std::span<const double> shear, std::span<PullOff> out,
+                std::span<double> gradient) const;
   /// The load below which the contact jumps: infinite if it jumps at every load, -3 pi/2 if at none. Null if
   /// obstacle(p) is not empty.
   std::optional<double> critical_load(std::span<const double> p) const;
@@ -172,6 +177,8 @@ class ContactModel {
   /// T/sigma_T and A/sigma_A, of the derivatives about 1e-10.
   bool curve_distances(std::span<const double> p, const PlanePoints& points, Search search, bool derivatives,
                        CurveDistances& out) const;
+  /// Distances of measured pull-off loads. False where one is not defined, and for elliptic contacts.
+  bool pull_off_distances(std::span<const double> p, const PullOffPoints& points, const PullOffDistances& out) const;
   /// Distances from the law in the plane of G_I and G_II. A measured G_II < 0 is compared with the law's tangent at psi
   /// = 0.
   void energy_distances(std::span<const double> p, const EnergyPoints& points, const EnergyDistances& out) const;

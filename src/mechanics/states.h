@@ -74,6 +74,25 @@ struct ConstantShearPoint {
   double dP_dy;  // > 0: stable, the load must grow for the contact to grow; 0 at pull-off under shear
 };
 
+// ---- Pull-off after shear ----
+
+/// What of the shear is held while the normal load falls: T, or u = 3/4 T/a.
+enum class HeldShear : unsigned char { load, displacement };
+inline std::string_view to_string(HeldShear held) {
+  constexpr std::string_view kNames[]{"load", "displacement"};
+  return name_among(kNames, held);
+}
+
+/// The largest held T or u: powers of it do not overflow.
+inline constexpr double kMostPullOffShear = 1e40;
+
+/// The state of lowest load at a held shear; NaN where the parameters or the shear are out of range.
+struct PullOff {
+  double P = std::numeric_limits<double>::quiet_NaN(), y = P, a = P, T = P;
+  double slope = P;     // dP/dT, or dP/du, of the held shear
+  bool smooth = false;  // y = 0: the contact reaches Hertz without a jump
+};
+
 // ---- The whole curve ----
 
 /// A position on the curve: the edge load, cos^2(phi/2) and sin^2(phi/2). Each is stored with full relative accuracy,
@@ -194,6 +213,19 @@ struct EnergyPoints {
 /// the model's parameters (point after point; not computed if empty) and in ln G_Ic.
 struct EnergyDistances {
   std::span<double> value, log_toughness, parameters;
+};
+
+/// Measured pull-off loads at held shears of either sign; sigma_P > 0, sigma_shear >= 0. The spans have one size.
+struct PullOffPoints {
+  std::span<const double> P, shear, sigma_P, sigma_shear;
+  std::span<const HeldShear> held;
+};
+
+/// Signed distances from P(shear), positive where the model's load is the larger, with derivatives in the measured
+/// values and in the model's parameters (point after point); these are not computed if `parameters` is empty. Those in
+/// the logarithms of the errors are -r normal_P^2 and -r (1 - normal_P^2).
+struct PullOffDistances {
+  std::span<double> r, dP, dshear, normal_P, parameters;
 };
 
 /// ln f of the model minus ln f of a measured point at the point's psi, with its derivatives in the point's P, T and A

@@ -17,9 +17,10 @@ namespace {
 
 void write_reading(std::ostringstream& out, const Dataset& data) {
   out << data_heading(data) << "\n    "
-      << (data.has_loads      ? "raw points (P, T, A), "
-          : data.has_energies ? "energies (G_I, G_II)"
-                              : "converted points (psi, Gc/GIc)")
+      << (data.points.empty() && !data.pull_off.empty() ? "pull-off loads (T, P_c), "
+          : data.has_loads                              ? "raw points (P, T, A), "
+          : data.has_energies                           ? "energies (G_I, G_II)"
+                                                        : "converted points (psi, Gc/GIc)")
       << (data.contact     ? "dimensional"
           : data.has_loads ? "dimensionless"
                            : "")

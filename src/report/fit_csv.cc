@@ -189,6 +189,39 @@ std::string fits_csv(const std::vector<Analysis>& results) {
 }
 
 std::string residuals_csv(const Analysis& result) { return residuals(&result.data, {&result, 1}); }
+std::string pull_off_csv(const Analysis& result) {
+  constexpr int kDigits = 15;  // without the rounding of the units
+  struct Row {
+    const FitResult& fit;
+    std::size_t index;
+  };
+  const Dataset& data = result.data;
+  const DisplayUnits& units = data.display;
+  CsvTable<Row> column;
+  const auto reading = [&](const Row& row) -> const PullOffReading& { return data.pull_off[row.index]; };
+  const auto of = [&](HeldShear held, double scale) {
+    return [=](const Row& row) {
+      const PullOffReading& one = reading(row);
+      return one.held == held ? std::optional(one.shear * scale) : std::nullopt;
+    };
+  };
+  column("model", [](const Row& row) { return row.fit.model; });
+  column("line", [&](const Row& row) { return data.line_in_file(reading(row).line); });
+  column.quantity("T", units.force, kDigits, of(HeldShear::load, units.force_scale));
+  column.quantity("u", units.length, kDigits, of(HeldShear::displacement, units.length_scale));
+  column.quantity("P_c", units.force, kDigits, [&](const Row& row) { return reading(row).P * units.force_scale; });
+  column.quantity("P_c_predicted", units.force, kDigits,
+                  [&](const Row& row) { return row.fit.pull_off_loads[row.index] * units.force_scale; });
+  column.quantity("sigma_P", units.force, kDigits, [&](const Row& row) {
+    const double stated = reading(row).sigma_P;
+    return (stated < 0 ? row.fit.errors->pull_off : stated) * units.force_scale;
+  });
+  column("residual", [](const Row& row) { return row.fit.pull_off_residuals[row.index]; });
+  for (const FitResult& fit : result.fits)
+    for (std::size_t i = 0; i < fit.pull_off_residuals.size(); ++i) column.add({fit, i});
+  return column.text();
+}
+
 std::string curves_csv(const Analysis& result) { return predicted_curves(&result.data, {&result, 1}); }
 std::string residuals_table(const std::vector<Analysis>& results) { return residuals(nullptr, results); }
 std::string curves_table(const std::vector<Analysis>& results) { return predicted_curves(nullptr, results); }

@@ -13,6 +13,8 @@ std::string fits_csv(const std::vector<Analysis>& results);
 
 /// One row per model and used point: the measured value, the model's prediction, and the difference.
 std::string residuals_csv(const Analysis& result);
+/// One row per model and pull-off load: the measured value, the model's, and the residual in standard errors.
+std::string pull_off_csv(const Analysis& result);
 /// Predicted curves of every fitted model: A(T) at each load of the data, or f(psi) without loads.
 std::string curves_csv(const Analysis& result);
 

@@ -226,6 +226,39 @@ std::optional<FittedAxes> axes_of(const FitResult& fit) {
   return FittedAxes{fit.axes, std::sqrt(squares / static_cast<double>(fit.axes)), fit.errors->axes_factor};
 }
 
+/// A measured pull-off load and the model's.
+struct FittedPullOff {
+  const FitResult* fit;
+  std::size_t index;
+};
+
+void describe(Fields<FittedPullOff>& field) {
+  const auto reading = [](const FittedPullOff& one, const Within& in) -> const PullOffReading& {
+    return in.result->data.pull_off[one.index];
+  };
+  field("line", "line in the file, from 1",
+        [=](auto& one, auto& in) { return in.result->data.line_in_file(reading(one, in).line); });
+  field("held", "what was held: load (T) or displacement (u)",
+        [=](auto& one, auto& in) { return reading(one, in).held; });
+  field("shear", "T or u, in the file's unit", [=](auto& one, auto& in) {
+    const PullOffReading& read = reading(one, in);
+    const DisplayUnits& units = in.result->data.display;
+    return read.shear * (read.held == HeldShear::load ? units.force_scale : units.length_scale);
+  });
+  field("P_c", "measured load, compression positive, in the file's unit",
+        [=](auto& one, auto& in) { return reading(one, in).P * in.result->data.display.force_scale; });
+  field("predicted", "load of the model",
+        [](auto& one, auto& in) { return one.fit->pull_off_loads[one.index] * in.result->data.display.force_scale; });
+  field("residual", "distance from the model's curve P_c(T) in standard errors, model minus data",
+        [](auto& one) { return one.fit->pull_off_residuals[one.index]; });
+}
+
+std::vector<FittedPullOff> pull_off_of(const FitResult& fit) {
+  std::vector<FittedPullOff> list;
+  for (std::size_t i = 0; i < fit.pull_off_residuals.size(); ++i) list.push_back({&fit, i});
+  return list;
+}
+
 void describe(Fields<FitResult>& field) {
   field("model", "key of the model", &FitResult::model);
   field("objective", "what was fitted: distance from the curve in (T, A), or ln(Gc/GIc) against psi",
@@ -251,6 +284,9 @@ void describe(Fields<FitResult>& field) {
         &FitResult::outliers);
   field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
   field("axes", "of a model of elliptic contacts, fitted axes; null without", axes_of);
+  field("pull_off", "fitted pull-off loads", [](auto& fit) {
+    return IfAny<std::vector<FittedPullOff>>{pull_off_of(fit).empty() ? std::nullopt : std::optional(pull_off_of(fit))};
+  });
   field("loss_scale", "residual at which a robust loss bends; null without one",
         [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });
   field("loss_freedom", "degrees of freedom of the loss t; null without it",

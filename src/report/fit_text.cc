@@ -8,6 +8,7 @@
 #include "analysis/readable.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
+#include "dataset/pull_off.h"
 #include "report/data_text.h"
 
 namespace mixity {
@@ -62,6 +63,28 @@ std::string fitted_space(const FitResult& fit) {
   return std::string(fit.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " against psi";
 }
 
+/// How well the pull-off loads are described beside areas; empty without.
+std::string pull_off_line(const FitResult& fit, const Dataset& data) {
+  if (fit.pull_off_residuals.empty()) return {};
+  double squares = 0, largest = 0;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < fit.pull_off; ++i) {
+    const double r = fit.pull_off_residuals[i];
+    squares += r * r;
+    if (std::abs(r) <= largest) continue;
+    largest = std::abs(r);
+    at = i;
+  }
+  std::string text = counted(fit.pull_off, "pull-off load") + ": RMS " +
+                     rounded(std::sqrt(squares / static_cast<double>(fit.pull_off)), 3) +
+                     " standard errors, the largest in " + data.line_text(data.pull_off[at].line) + " (" +
+                     rounded(fit.pull_off_residuals[at], 3) + ")";
+  if (without_pull_off_error(data) > 0)
+    text += "; error of the load " + rounded(fit.errors->pull_off * data.display.force_scale, 3) +
+            unit_text(data.display.force) + (fit.used.empty() ? ", assumed" : ", from scatter");
+  return text;
+}
+
 void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& request, const Dataset& data) {
   out << "[[Model " << fit.model << "]] " << fit.model_name << ": " << fit.formula << '\n';
   out << "    status: " << (fit.status == FitStatus::ok ? "ok" : "*** " + capitals(to_string(fit.status)) + " ***");
@@ -78,10 +101,15 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
   out << paper_text(fit);
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
-        << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", " << fit.used.size() << " points\n";
+        << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", "
+        << counted(fit.used.empty() ? fit.pull_off : fit.used.size(),
+                   fit.used.empty() && fit.pull_off > 0 ? "pull-off load" : "point")
+        << '\n';
+  write_lines({pull_off_line(fit, data)});
   write_lines(consistency_lines(fit, data));
-  out << errors_text(fit, data, request.words) << resampling_text(fit, data);
-  if (fit.area) {
+  out << (fit.used.empty() && fit.pull_off > 0 ? std::string() : errors_text(fit, data, request.words))
+      << resampling_text(fit, data);
+  if (fit.area && !fit.used.empty()) {
     out << "    ";
     if (fit.area->predicted > 0)
       out << "R^2 = " << shown_r2(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
 #include <sstream>
 
 #include "base/number_text.h"
@@ -84,6 +86,16 @@ std::string runs_csv(const ReducedLogs& logs) {
   column.quantity("A", area, kDigits, [&](auto& row) { return row.frames.A[row.frame()] / first.area_factor; });
   column.quantity("sigma_T", force, 3, [&](auto& row) { return row.run.sigma_T[row.k] / first.force_factor; });
   column.quantity("sigma_A", area, 3, [&](auto& row) { return row.run.sigma_A[row.k] / first.area_factor; });
+  // beside the areas, of which they have the size
+  const bool axes = std::any_of(logs.begin(), logs.end(), [](const auto& log) { return !log.runs.frames.q.empty(); });
+  for (const double side : {0.5, -0.5})
+    if (axes)
+      column.quantity(side > 0 ? "a_par" : "a_perp", "mm", kDigits, [side](auto& row) {
+        const Frames& frames = row.frames;
+        const double mean = std::sqrt(frames.A[row.frame()] / std::numbers::pi) / 1e-3;
+        const bool known = !frames.q.empty() && std::isfinite(frames.q[row.frame()]);
+        return known ? std::optional(mean * std::exp(side * frames.q[row.frame()])) : std::nullopt;
+      });
   for (const ReducedLog& log : logs)
     for (const LoadingRun& run : log.runs.runs)
       for (std::size_t k = 0; k < run.T.size(); ++k) column.add({log.runs.frames, run, k});

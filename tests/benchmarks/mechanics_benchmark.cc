@@ -97,6 +97,21 @@ BENCHMARK_CAPTURE(AreasByKey, typed_a, "typed_a", "1 + (1-l)*tan(psi)^2", 1);
 BENCHMARK_CAPTURE(AreasByKey, typed_c, "typed_c", "1/(1 + (l-1)*sin(psi)^2)", 1);
 BENCHMARK_CAPTURE(AreasByKey, criterion_c, "criterion_c", "K_I^2 + l*K_II^2 = 1", 1);
 
+/// Semi-axes of elliptic contacts at 10^5 tangential loads, to compare with the areas of AreasByKey/b.
+void EllipseAxes(benchmark::State& state, const char* key) {
+  constexpr std::size_t kMany = 100000;
+  const ContactModel model = ContactModel::find(key).value();
+  const double II = 0.15, III = 0.05;
+  const EndParameters ends{{&II, 1}, {&III, 1}, 0.5};
+  const double last = model.ellipse_ends(ends, kLoad).load->T;
+  std::vector<double> T(kMany);
+  for (std::size_t i = 0; i < kMany; ++i) T[i] = 0.99 * last * static_cast<double>(i) / kMany;
+  for (auto _ : state) benchmark::DoNotOptimize(model.ellipses(ends, kLoad, T));
+  per_point(state, kMany);
+}
+BENCHMARK_CAPTURE(EllipseAxes, c, "c");
+BENCHMARK_CAPTURE(EllipseAxes, b, "b");
+
 /// What one would write without the circle: a in y^2 + T^2 = 8 pi a^3 f(psi) by a bracketing search to the last digits,
 /// between the fold of this branch and JKR.
 template <class Model>

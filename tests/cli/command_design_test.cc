@@ -24,6 +24,22 @@ TEST(DesignCommand, SaysWhatAPlanTellsAndWhichLoadsTellMost) {
     EXPECT_NE(result.out.find(part), std::string::npos) << part << result.out;
 }
 
+TEST(DesignCommand, SaysWhatTellsTheCouplingsOfAnEllipseApart) {
+  const Words common{
+      "design",          "--shape=ellipse",  "--model=c",           "--poisson_ratio=0.5",   "--points=12",
+      "--models=c",      "--radius=9.42 mm", "--modulus=2.133 MPa", "--toughness=27 mJ/m^2", "--loads=4 mN",
+      "--lambda_II=0.01"};
+  Words apart = common, equal = common;
+  apart.emplace_back("--lambda_III=0.005");
+  equal.emplace_back("--lambda_III=0.01");
+  const ProgramResult result = run_program(apart);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("lambda_III is told from lambda_II soonest at 4 mN up to 95% of the jump: by 1 run"),
+            std::string::npos)
+      << result.out;
+  EXPECT_NE(run_program(equal).out.find("no number of runs tells lambda_III from lambda_II"), std::string::npos);
+}
+
 TEST(DesignCommand, ListsCandidatesAsCsv) {
   const auto lines = lines_of(run_program(with_plan({"design", "--load_range=0.5,10 mN", "--format=csv"})).out);
   ASSERT_EQ(lines.size(), 22u);

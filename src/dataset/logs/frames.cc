@@ -53,6 +53,7 @@ Pictures pictures(const Recording& recording) {
     }
     all.time.push_back(recording.time[i]);
     all.A.push_back(recording.A[i]);
+    if (!recording.q.empty()) all.q.push_back(recording.q[i]);
   }
   // If rows repeat an area until the next picture, it changes in few rows, at equal intervals.
   if (changed.A.size() < 3 || 3 * changed.A.size() > all.A.size()) return all;
@@ -65,6 +66,7 @@ Pictures pictures(const Recording& recording) {
     if (!change && k < changed.time.size() && changed.time[k] - all.time[i] < 0.5 * step) continue;
     held.time.push_back(all.time[i]);
     held.A.push_back(all.A[i]);
+    if (!all.q.empty()) held.q.push_back(all.q[i]);
     k += change;
   }
   return held;
@@ -91,6 +93,7 @@ Frames make_frames(const Recording& forces, const Recording& areas, double lag) 
     frames.P.push_back(P);
     frames.T.push_back(T);
     frames.A.push_back(shown.A[i]);
+    if (!shown.q.empty()) frames.q.push_back(shown.q[i]);
   }
   if (frames.time.size() < 3) throw InputError(areas.path, "shares no time with " + forces.path);
   for (const double time : forces.time) frames.force_time.push_back(time + lag);

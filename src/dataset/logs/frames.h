@@ -17,9 +17,9 @@ struct LagPart {
 
 /// Values are in SI. Forces are means over the duration of a frame, centred on it.
 struct Frames {
-  double interval = 0;       // s, between frames
-  std::vector<double> time;  // s, on the clock of the areas
-  std::vector<double> P, T, A;
+  double interval = 0;               // s, between frames
+  std::vector<double> time;          // s, on the clock of the areas
+  std::vector<double> P, T, A, q;    // q = ln(a/b) of the axes; empty: not known
   double samples = 1;                // typical number of samples of the force in a frame
   bool load_is_stated = false;       // and has no zero to be read
   double noise_P = 0;                // N, standard deviation of one sample
@@ -35,7 +35,7 @@ struct Frames {
 
 /// Times and areas of pictures, each from its first row; further rows may repeat the area.
 struct Pictures {
-  std::vector<double> time, A;
+  std::vector<double> time, A, q;  // q: as in Recording
 };
 Pictures pictures(const Recording& recording);
 

@@ -110,6 +110,7 @@ class LogReader : public UseOfRows {
     if (const std::string unused = clock_->unused_rate(log.time); !unused.empty()) log.reading += ", " + unused;
     log.T = values(T);
     log.A = has(A) ? values(A) : areas();
+    log.q = axes();
     log.load_is_stated = has(T) && !has(P);
     log.P = has(P) || !has(T) ? values(P) : std::vector<double>(log.time.size(), metadata_.load.value_or(0));
     return log;
@@ -160,11 +161,12 @@ class LogReader : public UseOfRows {
     for (const auto& column : columns.by_id) {
       if (!column || is_clock(column->id)) continue;
       const Heading& heading = table.headings[column->index];
-      if (column->unit.dimension == dimension::none)
+      const bool degrees = column->id == angle && column->unit.dimension == dimension::none;
+      if (column->unit.dimension == dimension::none && !degrees)
         throw InputError(recording_.path, heading.place,
                          "column '" + heading.name + "' needs a unit: a log is not dimensionless; say it: " +
                              Remedy::set("columns", units_to_state(table, columns)));
-      channels_.push_back({column->id, column->index, column->unit.factor});
+      channels_.push_back({column->id, column->index, degrees ? std::numbers::pi / 180 : column->unit.factor});
     }
     if (const Column* shear = columns.find(T)) {
       recording_.force_unit = shear->unit.text;
@@ -220,6 +222,17 @@ class LogReader : public UseOfRows {
       throw InputError(recording_.path, "states one axis of an ellipse without the other");
     for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = std::numbers::pi * areas[i] * other[i] / from->parts;
     return areas;
+  }
+
+  /// ln(a/b) of elliptic contacts along and across the shear; empty without both axes.
+  std::vector<double> axes() const {
+    const ContactLengths* const from = lengths();
+    if (!from || from->round()) return {};
+    std::vector<double> q = values(from->one);
+    const std::vector<double> other = values(from->other), angles = values(ColumnId::angle);
+    for (std::size_t i = 0; i < q.size(); ++i)
+      q[i] = std::log(q[i] / other[i]) * turn_of_axes(*from, angles.empty() ? std::nullopt : std::optional(angles[i]));
+    return q;
   }
 
   const Metadata& metadata_;

@@ -19,6 +19,7 @@ struct Recording {
   std::vector<double> time;  // s, rising
   TimeBase clock;
   std::vector<double> P, T, A;
+  std::vector<double> q;                       // ln(a/b) of the axes along and across the shear, where the log has both
   bool load_is_stated = false;                 // P has no column and no zero to be read
   std::string force_unit, area_unit;           // in the file; mm^2 for areas in pixels and areas from radii or axes
   double force_factor = 1, area_factor = 1;    // one unit in SI

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,7 +15,8 @@ namespace mixity {
 
 /// The program's own, case-sensitive names: A is an area, a is a radius. a_par and a_perp are semi-axes along and
 /// across the shear, d_par and d_perp whole axes; major and minor are whole axes as image programs give them, and angle
-/// is that of the major one from the shear.
+/// is that of the major one from the shear. P_c is the load at which a sheared contact is pulled off, u the tangential
+/// displacement that is held meanwhile.
 enum class ColumnId {
   P,
   T,
@@ -34,6 +36,8 @@ enum class ColumnId {
   Gc_over_GIc,
   G_I,
   G_II,
+  P_c,
+  u,
   sigma_T,
   sigma_A,
   sigma_a_par,
@@ -41,12 +45,14 @@ enum class ColumnId {
   sigma_Gc,
   sigma_GI,
   sigma_GII,
+  sigma_P,
+  sigma_u,
   curve,
   include,
   time,
   frame
 };
-inline constexpr std::size_t kColumnCount = 29;
+inline constexpr std::size_t kColumnCount = 33;
 
 struct ColumnKind {
   ColumnId id;
@@ -73,6 +79,8 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none},
     {ColumnId::G_I, "G_I", dimension::energy_per_area},
     {ColumnId::G_II, "G_II", dimension::energy_per_area},
+    {ColumnId::P_c, "P_c", dimension::force},
+    {ColumnId::u, "u", dimension::length},
     {ColumnId::sigma_T, "sigma_T", dimension::force},
     {ColumnId::sigma_A, "sigma_A", dimension::area},
     {ColumnId::sigma_a_par, "sigma_a_par", dimension::length},
@@ -80,6 +88,8 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::sigma_Gc, "sigma_Gc", dimension::energy_per_area},
     {ColumnId::sigma_GI, "sigma_GI", dimension::energy_per_area},
     {ColumnId::sigma_GII, "sigma_GII", dimension::energy_per_area},
+    {ColumnId::sigma_P, "sigma_P", dimension::force},
+    {ColumnId::sigma_u, "sigma_u", dimension::length},
     {ColumnId::curve, "curve", dimension::none},
     {ColumnId::include, "include", dimension::none},
     {ColumnId::time, "time", dimension::time},
@@ -116,6 +126,13 @@ inline constexpr std::array<ContactLengths, 5> kContactLengths{{
     {ColumnId::d_par, ColumnId::d_perp, 4},
     {ColumnId::major, ColumnId::minor, 4},
 }};
+/// What multiplies ln(one/other) to give ln(a/b) of the semi-axes along and across the shear. `angle` [rad]: of the
+/// longer axis from the shear; without it an image program's ellipse is taken as shorter along the shear.
+inline double turn_of_axes(const ContactLengths& lengths, std::optional<double> angle) {
+  if (lengths.one != ColumnId::major) return 1;
+  return angle ? std::cos(2 * *angle) : -1;
+}
+
 /// The first entry for which a table has columns; null if there is none. `has`: whether the table has a column.
 template <class Has>
 constexpr const ContactLengths* contact_lengths(Has has) {

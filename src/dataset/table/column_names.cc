@@ -195,6 +195,7 @@ class Names {
     const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
     if (rules_.log)
       return loads && (find(ColumnId::time) || find(ColumnId::frame));  // false for a log of forces or areas alone
+    if (!rules_.log && find(P_c) && (find(T) || find(ColumnId::u))) return true;
     return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
   }
 
@@ -213,6 +214,19 @@ class Names {
     }
     if (find(A) && std::none_of(headings_.begin(), headings_.end(), is_called_a)) drop(ColumnId::a);
     if (find(A) || find(ColumnId::a)) drop(diameter);
+  }
+
+  /// Pull-off loads are read where the table has no areas: then of T or else u, and their errors.
+  void drop_what_pull_off_lacks() {
+    using enum ColumnId;
+    const bool areas = find(T) && (find(P) || rules_.load_stated) && is_sized(), pull_off = find(P_c) && !areas;
+    const auto stays = [&](ColumnId id) {
+      const bool of_pull_off = id == P_c || id == ColumnId::u || id == sigma_P || id == sigma_u;
+      if (!pull_off) return !of_pull_off;
+      if (id == ColumnId::u || id == sigma_u) return !find(T);
+      return of_pull_off || id == T || id == sigma_T || id == curve || id == include;
+    };
+    std::erase_if(columns_, [&](const NamedColumn& column) { return !is_mapped(column.id) && !stays(column.id); });
   }
 
   /// Where each channel has a column of times, takes that of the first channel that is read.
@@ -273,9 +287,10 @@ class Names {
   /// Whether it is a standard error of the columns that make points, a name of runs, or a column that selects rows.
   bool is_beside(ColumnId id) const {
     using enum ColumnId;
+    if (id == angle) return find(major);
     if (rules_.log) return false;
     if (id == sigma_T || id == sigma_A) return find(T);
-    if (id == angle) return find(major);
+    if (id == sigma_P || id == sigma_u) return find(P_c);
     if (id == sigma_a_par || id == sigma_a_perp) return find(a_par) || find(d_par) || find(major);
     if (id == sigma_Gc) return find(Gc) || find(Gc_over_GIc);
     if (id == sigma_GI || id == sigma_GII) return find(G_I);
@@ -344,6 +359,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
     names.add_misfits();
   }
   names.drop_redundant_sizes();
+  names.drop_what_pull_off_lacks();
   names.take_clock_of_channels();
   return std::move(names).sorted();
 }

@@ -120,7 +120,7 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
                          Remedy::set("columns", "P=1 (mN),T=2 (mN),A=3 (mm^2)"));
   std::vector<bool> used(headings.size());
   for (const NamedColumn& column : name_columns(path, headings, rules)) {
-    if (rules.log && column.id > ColumnId::minor && !is_clock(column.id)) continue;
+    if (rules.log && column.id > ColumnId::angle && !is_clock(column.id)) continue;
     const ColumnKind& kind = kind_of(column.id);
     by_id[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
@@ -157,7 +157,8 @@ void Columns::find_unused(const std::vector<Heading>& headings, const std::vecto
       unused.emplace_back(name, "did you mean " + std::string(to_string(*meant)) + "?");
       continue;
     }
-    if (!id || is_clock(*id) || (has(*id) && !beside.empty())) continue;
+    // many a file has displacements that are none of a pull-off
+    if (!id || is_clock(*id) || *id == ColumnId::u || *id == ColumnId::P_c || (has(*id) && !beside.empty())) continue;
     const std::string quantity(to_string(*id));
     if (const Column* const other = find(*id))
       unused.emplace_back(name, quantity + " is read from '" + printable(headings[other->index].text, 60) + "'");
@@ -207,6 +208,13 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
                                      const ColumnRules& rules) const {
   using enum ColumnId;
   const bool sized = has(A) || lengths();
+  if (holds_pull_off()) {
+    if (!has(T) && !has(ColumnId::u))
+      throw MissingColumn(
+          path, headings.at(0).place.line, 1,
+          "column 'T' or 'u' is missing: a pull-off load P_c belongs to a tangential load or displacement");
+    return;
+  }
   const bool loads = has(P) || has(T) || sized;
   const bool toughness = has(psi) || has(mode_ratio) || has(Gc) || has(Gc_over_GIc);
   const bool energies = has(G_I) || has(G_II);
@@ -290,6 +298,11 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
   for (const ContactLengths& lengths : kContactLengths)
     if (lengths.round() || !has(A))  // beside an area, only the ratio of the axes counts
       for (const ColumnId id : {lengths.one, lengths.other}) require_like_loads(id);
+  if (holds_pull_off())
+    for (const ColumnId id : {T, ColumnId::u})
+      require_like(id, find(P_c), "P_c and T or u are either all dimensionless or none is");
+  require_like(sigma_P, find(P_c), "a standard error has the kind of unit of its quantity, or %");
+  require_like(sigma_u, find(ColumnId::u), "a standard error has the kind of unit of its quantity, or %");
   require_like(G_II, find(G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
   require_like(sigma_T, find(T), sigma_rule);

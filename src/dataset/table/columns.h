@@ -38,7 +38,9 @@ struct Columns {
   }
   bool has(ColumnId id) const { return find(id) != nullptr; }
   /// True for P, T and A (or a, or the axes of an ellipse); false for psi and Gc, or energies.
-  bool holds_loads() const { return has(ColumnId::T); }
+  bool holds_loads() const { return has(ColumnId::T) || holds_pull_off(); }
+  /// True for P_c with T or u: loads without areas.
+  bool holds_pull_off() const { return has(ColumnId::P_c); }
   /// True for G_I and G_II.
   bool holds_energies() const { return has(ColumnId::G_I); }
   /// The lengths that give the area; null if the table has none.

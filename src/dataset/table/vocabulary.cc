@@ -86,8 +86,9 @@ std::optional<ColumnId> Vocabulary::find_quantity(std::string_view name) const {
 /// "T_err", "err_T", "T std", "standard error of shear force", "u_T".
 std::optional<ColumnId> Vocabulary::find_error(std::string_view name) const {
   using enum ColumnId;
-  constexpr std::pair<ColumnId, ColumnId> kErrors[] = {
-      {T, sigma_T}, {A, sigma_A}, {Gc, sigma_Gc}, {Gc_over_GIc, sigma_Gc}, {G_I, sigma_GI}, {G_II, sigma_GII}};
+  constexpr std::pair<ColumnId, ColumnId> kErrors[] = {{T, sigma_T},    {A, sigma_A},     {P_c, sigma_P},
+                                                       {u, sigma_u},    {Gc, sigma_Gc},   {Gc_over_GIc, sigma_Gc},
+                                                       {G_I, sigma_GI}, {G_II, sigma_GII}};
   const auto is_error = [&](std::string_view text) {
     const auto found = names_.find(folded(text));
     return text == "\xC2\xB1" || text == "+/-" || text == "+-" || (found != names_.end() && !found->second);

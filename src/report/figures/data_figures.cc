@@ -71,12 +71,14 @@ DataFigures data_figures(const ReportedData& reported) {
     keep(std::move(drawn));
   };
   const auto load_reason = [&](const std::string& otherwise) {
+    if (data.has_loads && data.points.empty()) return std::string("the data are pull-off loads: they have no areas");
     return !data.has_loads ? no_loads : !any_value ? no_value : otherwise;
   };
 
   group("Do the models describe the data?");
   keep_or_say_why(area_figures(reported), "contact area against tangential load", load_reason(no_value));
   keep(axes_figures(reported));
+  keep(pull_off_figures(reported));
   keep_or_say_why(toughness_figures(reported), "toughness ratio against phase angle", "no point has a phase angle");
   group("How well is the parameter known?");
   keep_or_say_why(profile_figures(reported), "profile of the cost",

@@ -41,6 +41,8 @@ std::vector<Figure> toughness_figures(const ReportedData& data);
 std::vector<Figure> area_figures(const ReportedData& data);
 /// Of elliptic contacts: a/b against T, and the region of both couplings.
 std::vector<Figure> axes_figures(const ReportedData& data);
+/// Pull-off loads against the tangential load or displacement that is held.
+std::vector<Figure> pull_off_figures(const ReportedData& data);
 /// Residuals against psi, T and load.
 std::vector<Figure> residual_figures(const ReportedData& data);
 /// Quantiles of the residuals against those of a normal distribution, for 8 points or more; not for models that

@@ -31,6 +31,23 @@ TEST(Recordings, MayHaveTimesOfAClock) {
             1.5e-3);
 }
 
+/// ln(a/b) of the axes along and across the shear, as in tables of points.
+TEST(Recordings, KeepTheAxesOfEllipticContacts) {
+  const auto last = [](const std::string& header, const std::string& sizes) {
+    std::string text = "time [s],P [mN],T [mN]," + header + '\n';
+    for (const char* time : {"0", "1", "2"}) text += std::string(time) + ",1,2," + sizes + '\n';
+    const Recording log = read(text);
+    EXPECT_EQ(log.A.size(), 3u);
+    return log.q.empty() ? NAN : log.q.back();
+  };
+  EXPECT_NEAR(last("a_par [mm],a_perp [mm]", "0.2,0.25"), std::log(0.8), 1e-15);
+  EXPECT_NEAR(last("A [mm^2],d_par [mm],d_perp [mm]", "0.157,0.4,0.5"), std::log(0.8), 1e-15);
+  EXPECT_NEAR(last("Major [mm],Minor [mm]", "0.5,0.4"), std::log(0.8), 1e-15);  // without an angle across the shear
+  EXPECT_NEAR(last("Major [mm],Minor [mm],Angle", "0.5,0.4,90"), std::log(0.8), 1e-15);
+  EXPECT_NEAR(last("Major [mm],Minor [mm],Angle", "0.5,0.4,0"), std::log(1.25), 1e-15);
+  EXPECT_TRUE(std::isnan(last("A [mm^2]", "0.157")));
+}
+
 TEST(Recordings, MayHaveTimesWithAUnitInEachField) {
   EXPECT_EQ(read("Time,P [mN],T [mN],A [mm^2]\n0 sec,1,2,0.3\n0.5 sec,1,2,0.3\n1.25 sec,1,2,0.3\n").time,
             (std::vector<double>{0, 0.5, 1.25}));
