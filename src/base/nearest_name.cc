@@ -47,7 +47,7 @@ std::optional<std::string> nearest_name(std::string_view given, const std::vecto
     if (longer > std::min(letters.size(), other.size()) + limit) continue;  // a long text is not compared
     const std::size_t distance = edits(letters, other);
     if (distance > std::min(limit, least) || distance >= longer) continue;
-    nearest = distance < least ? std::optional(name) : std::nullopt;
+    nearest = distance < least || nearest == name ? std::optional(name) : std::nullopt;  // a name given twice is no tie
     least = distance;
   }
   return nearest;

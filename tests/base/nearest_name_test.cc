@@ -52,6 +52,10 @@ TEST(NearestName, IsNoneWhereNothingOfTheGivenOneRemains) {
 
 TEST(NearestName, IsNoneForANameThatIsRight) { EXPECT_EQ(nearest_name("fit", {"fit", "fits"}), std::nullopt); }
 
+TEST(NearestName, IsFoundInListsThatHaveItTwice) {
+  EXPECT_EQ(nearest_name("simga_T", {"sigma_T", "modulus", "sigma_T"}), "sigma_T");
+}
+
 TEST(NearestName, StandsBeforeTheListOfKnownNames) {
   EXPECT_EQ(did_you_mean("fitt", kNames), ": did you mean fit?");
   EXPECT_EQ(did_you_mean("colour", kNames), "");

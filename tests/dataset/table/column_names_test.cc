@@ -220,7 +220,7 @@ TEST(ColumnNames, ThatAreMisspeltAreSaidWithTheNameThatWasMeant) {
                                                {"curv", "curv", "curve"}})
     EXPECT_EQ(notes(given), std::vector<std::string>{"column '" + name + "' is not used: did you mean " + meant + "?"})
         << given;
-  for (const char* other : {"sigma_P [mN]", "simga_T [mm]", "phi", "x", "T2", "temperature", "cycle"})
+  for (const char* other : {"simga_T [mm]", "phi", "x", "T2", "temperature", "cycle"})
     EXPECT_EQ(notes(other), std::vector<std::string>{}) << other;
   const std::string both = "P [mN],T [mN],A [mm^2],sigma_T [mN],simga_T [mN]\n1,0,0.3,1,1\n1,1,0.29,1,1\n";
   EXPECT_EQ(texts_of(load_text(both, "", kConstants).notes), std::vector<std::string>{});
