@@ -41,6 +41,7 @@ class FolderLocks {
   bool has_all_ = true;
 };
 
+/// The folders that a run writes to.
 class OutputFolders {
  public:
   struct Folder {

@@ -124,38 +124,29 @@ void print_runs_needed(const Plan& plan, const LoadRange& range, const std::vect
             << '\n';
 }
 
-/// Of elliptic contacts: which load and which reach of the shear tell the couplings apart, and in how many runs. chi^2
-/// of the best fit with equal couplings grows in proportion to the number of runs.
+/// Of elliptic contacts: which load and which reach of the shear tell the couplings apart, and in how many runs.
 void print_couplings(const Plan& plan, const std::vector<double>& loads) {
-  const std::string equal = plan.model + "-equal";
+  constexpr double kReaches[]{0.5, 0.8, 0.95}, kMostNamed = 1e6;
   const ContactModel model = ContactModel::find(plan.model).value();
   const auto parameters = model.parameters();
   const std::string II(parameters[0].name), III(parameters[(parameters.size() - 1) / 2].name);
-  const double sure = 2 * std::log(kSureOdds);
-  struct Found {
-    double load, reach, chi2;
-    double runs(double wanted) const { return std::ceil(wanted / chi2); }
-  };
-  std::optional<Found> best;
+  const std::vector<CouplingRuns> found = runs_for_couplings(plan, loads, kReaches);
   std::cout << "[[Couplings]]  runs of " << plan.points << " points for 95% odds that " << III << " is not " << II
             << "\n    load [mN]   up to 50%   80%       95% of the jump\n";
-  for (const double load : loads) {
-    std::cout << "    " << std::left << std::setw(12) << rounded(load / kMilli, 4);
-    for (const double reach : {0.5, 0.8, 0.95}) {
-      Plan one = plan;
-      one.loads = {load};
-      one.reach = reach;
-      const Found found{load, reach, expect(one, {equal}).least_chi2()};
-      if (!best || found.chi2 > best->chi2) best = found;
-      const bool never = !(found.runs(sure) <= 1e6);
-      std::cout << std::setw(reach == 0.5 ? 12 : 10) << (never ? "-" : rounded(found.runs(sure), 7));
-    }
-    std::cout << '\n';
+  for (const CouplingRuns& one : found) {
+    const bool first = one.reach == kReaches[0];
+    if (first) std::cout << "    " << std::left << std::setw(12) << rounded(one.load / kMilli, 4);
+    const double runs = one.needed(kSureOdds);
+    std::cout << std::setw(first ? 12 : 10) << (runs <= kMostNamed ? rounded(runs, 7) : "-");
+    if (one.reach == kReaches[2]) std::cout << '\n';
   }
-  if (best && best->runs(sure) <= 1e6)
+  const auto best = std::max_element(found.begin(), found.end(),
+                                     [](const auto& one, const auto& other) { return one.chi2 < other.chi2; });
+  const double runs = best == found.end() ? HUGE_VAL : best->needed(kSureOdds);
+  if (runs <= kMostNamed)
     std::cout << "    " << III << " is told from " << II << " soonest at " << loads_text({best->load}) << " up to "
               << rounded(100 * best->reach, 3) << "% of the jump: by "
-              << (best->runs(sure) == 1 ? "1 run" : rounded(best->runs(sure), 7) + " runs") << '\n';
+              << (runs == 1 ? "1 run" : rounded(runs, 7) + " runs") << '\n';
   else
     std::cout << "    no number of runs tells " << III << " from " << II << ": they are equal in this plan\n";
 }

@@ -70,6 +70,9 @@ struct PullOffReading {
   Point::Index line = 0;
   HeldShear held = HeldShear::load;
   double P = 0, shear = 0, sigma_P = kNotStated, sigma_shear = kNotStated;
+
+  /// `common`: of loads that state none.
+  double error_of_load(double common) const { return sigma_P < 0 ? common : sigma_P; }
 };
 
 /// Why a point has no toughness.

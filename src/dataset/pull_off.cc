@@ -28,4 +28,18 @@ std::size_t without_pull_off_error(const Dataset& data) {
                                                 [](const PullOffReading& one) { return one.sigma_P < 0; }));
 }
 
+LargestPullOff largest_pull_off(const Dataset& data) {
+  LargestPullOff largest;
+  for (const PullOffReading& one : data.pull_off) {
+    largest.load = std::max(largest.load, std::abs(one.P));
+    if (one.held == HeldShear::load) largest.shear = std::max(largest.shear, std::abs(one.shear));
+  }
+  return largest;
+}
+
+Dataset without_pull_off(Dataset data) {
+  data.pull_off.clear();
+  return data;
+}
+
 }  // namespace mixity

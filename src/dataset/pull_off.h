@@ -12,4 +12,13 @@ void finish_pull_off(Dataset& data);
 /// How many readings state no standard error of their load.
 std::size_t without_pull_off_error(const Dataset& data);
 
+/// The largest |P| and the largest |T| that is held; 0 without any.
+struct LargestPullOff {
+  double load = 0, shear = 0;
+};
+LargestPullOff largest_pull_off(const Dataset& data);
+
+/// The areas alone.
+Dataset without_pull_off(Dataset data);
+
 }  // namespace mixity

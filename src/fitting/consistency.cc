@@ -41,12 +41,12 @@ double trend_of(const std::vector<double>& t, const std::vector<double>& r) {
   return squares > 0 ? sum / std::sqrt(squares) : 0;
 }
 
-/// Products of residuals that are `lag` points apart: their sum, and the sum of their squares.
-std::pair<double, double> products(const std::vector<double>& r, std::size_t lag) {
+/// Products of neighbouring residuals: their sum, and the sum of their squares.
+std::pair<double, double> neighbour_products(const std::vector<double>& r) {
   double sum = 0, squares = 0;
-  for (std::size_t i = 0; i + lag < r.size(); ++i) {
-    sum += r[i] * r[i + lag];
-    squares += std::pow(r[i] * r[i + lag], 2);
+  for (std::size_t i = 0; i + 1 < r.size(); ++i) {
+    sum += r[i] * r[i + 1];
+    squares += std::pow(r[i] * r[i + 1], 2);
   }
   return {sum, squares};
 }
@@ -170,8 +170,9 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
       square += r.back() * r.back();
     }
     if (data.has_loads) ends.add(t, r, repeats);
-    const auto [sum, of_squares] = products(r, 1);
-    for (std::size_t lag = 2; lag <= std::min(kFarthest, r.size() / 4); ++lag) farther += products(r, lag).first;
+    const auto [sum, of_squares] = neighbour_products(r);
+    for (std::size_t lag = 2; lag <= std::min(kFarthest, r.size() / 4); ++lag)
+      farther += std::inner_product(r.begin() + static_cast<std::ptrdiff_t>(lag), r.end(), r.begin(), 0.0);
     const ResidualTests::Run run{c < data.curves.size() ? data.curves[c] : std::string(), r.size(), runs_of_one_sign(r),
                                  square > 0 ? sum / square : 0, trend_of(t, r)};
     z += run.runs;

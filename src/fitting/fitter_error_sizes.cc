@@ -1,4 +1,5 @@
-// The contribution of uncertain error estimates to the uncertainty of the parameters.
+// The sizes of the errors of axes and pull-off loads, and what uncertain estimates of errors add to the uncertainty of
+// the parameters.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -121,6 +122,34 @@ void Fitter::widen_by_sizes_of_errors(const std::vector<double>& x) {
     if (one.interval->high)
       *one.interval->high = std::min(*one.value + factor * (*one.interval->high - *one.value), one.upper);
   }
+}
+
+/// Sets the factor on the relative errors of A that those of the axes have. Returns the change of its logarithm.
+double Fitter::size_axes(const NearestPlaces& nearest) {
+  if (nearest.axes.empty() || data_.axes[prepared_.used[0]].sigma_q > 0) return 0;
+  double squares = 0;
+  for (const double r : nearest.axes) squares += r * r;
+  // the axes' residuals determine about one parameter, the second coupling
+  const double freedom = std::max(static_cast<double>(nearest.axes.size()) - 1, 1.0),
+               change = std::sqrt(squares / freedom);
+  if (!(change > 0)) return 0;
+  prepared_.errors->axes_factor *= change;
+  return std::log(change);
+}
+
+/// Sets the standard error of pull-off loads that state none. Returns the change of its logarithm.
+double Fitter::size_pull_off(const NearestPlaces& nearest) {
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; i < nearest.pull_off.size(); ++i) {
+    if (data_.pull_off[i].sigma_P >= 0) continue;
+    squares += nearest.pull_off[i] * nearest.pull_off[i];
+    ++count;
+  }
+  // they determine about one parameter
+  const double change = count > 0 ? std::sqrt(squares / std::max(count - 1, 1.0)) : 0;
+  if (!(change > 0)) return 0;
+  prepared_.errors->pull_off *= change;
+  return std::log(change);
 }
 
 }  // namespace mixity

@@ -257,34 +257,6 @@ double Fitter::log_size_of_areas() const {
   return sum / static_cast<double>(prepared_.used.size());
 }
 
-/// Sets the factor on the relative errors of A that those of the axes have. Returns the change of its logarithm.
-double Fitter::size_axes(const NearestPlaces& nearest) {
-  if (nearest.axes.empty() || data_.axes[prepared_.used[0]].sigma_q > 0) return 0;
-  double squares = 0;
-  for (const double r : nearest.axes) squares += r * r;
-  // the axes' residuals determine about one parameter, the second coupling
-  const double freedom = std::max(static_cast<double>(nearest.axes.size()) - 1, 1.0),
-               change = std::sqrt(squares / freedom);
-  if (!(change > 0)) return 0;
-  prepared_.errors->axes_factor *= change;
-  return std::log(change);
-}
-
-/// Sets the standard error of pull-off loads that state none. Returns the change of its logarithm.
-double Fitter::size_pull_off(const NearestPlaces& nearest) {
-  double squares = 0, count = 0;
-  for (std::size_t i = 0; i < nearest.pull_off.size(); ++i) {
-    if (data_.pull_off[i].sigma_P >= 0) continue;
-    squares += nearest.pull_off[i] * nearest.pull_off[i];
-    ++count;
-  }
-  // they determine about one parameter
-  const double change = count > 0 ? std::sqrt(squares / std::max(count - 1, 1.0)) : 0;
-  if (!(change > 0)) return 0;
-  prepared_.errors->pull_off *= change;
-  return std::log(change);
-}
-
 /// Subtracts the expected distances from the residuals. They are scaled to the noise that is found, at most to twice
 /// the stated errors. Returns the largest change since the last call.
 double Fitter::take_expected_off(const std::vector<double>& expected, double freedom, NearestPlaces& nearest) {

@@ -58,15 +58,12 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   PreparedFit all = prepared_;
   std::vector<double> beside = x;
   std::vector<ConstantStep> exact;
-  double load = 0, shear = 0, area = 0;
+  auto [load, shear] = largest_pull_off(data_);
+  double area = 0;
   for (const std::size_t i : prepared_.used) {
     load = std::max(load, std::abs(data_.points[i].P));
     shear = std::max(shear, data_.points[i].shear());
     area = std::max(area, data_.points[i].A);
-  }
-  for (const PullOffReading& one : data_.pull_off) {
-    load = std::max(load, std::abs(one.P));
-    if (one.held == HeldShear::load) shear = std::max(shear, std::abs(one.shear));
   }
   // A drift needs three runs, hysteresis needs areas with and without shear.
   bool with = false, without = false;
@@ -123,7 +120,7 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   }
   add_pull_off(x);
   result_.innovations.resize(result_.used.size());
-  const bool alone = result_.used.empty() && result_.pull_off > 0;
+  const bool alone = result_.of_pull_off_alone();
   std::vector<double> targets = problem_->targets(), weights = problem_->weights();
   for (std::size_t i = 0; alone && i < data_.pull_off.size(); ++i) {
     const MeasuredPullOff one = measured_pull_off(data_.pull_off[i], result_.errors->pull_off, 0);
@@ -148,8 +145,7 @@ void Fitter::add_pull_off(const std::vector<double>& x) {
   const Candidate at = problem_->candidate(x);
   const ConstantsScale scale(at.constants);
   for (const PullOffReading& one : data_.pull_off) {
-    const double shear =
-        std::abs(one.held == HeldShear::load ? scale.shear(one.shear) : scale.displacement * one.shear);
+    const double shear = std::abs(held_shear(scale, one.held, one.shear));
     PullOff found;
     prepared_.model.pull_off(at.parameters, one.held, {&shear, 1}, {&found, 1}, {});
     result_.pull_off_loads.push_back(scale.measured_load(found.P));

@@ -119,7 +119,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   if (prepared.objective == Objective::curve && !data.pull_off.empty()) {
     auto list = std::make_shared<std::vector<MeasuredPullOff>>();
     const double common = prepared.errors ? prepared.errors->pull_off : assumed_pull_off_error(data),
-                 least = kLeastError * largest_pull_off(data);
+                 least = kLeastError * size_of_pull_off(data);
     for (const PullOffReading& one : data.pull_off) list->push_back(measured_pull_off(one, common, least));
     points.pull_off = std::move(list);
   }
@@ -164,12 +164,9 @@ FreeChoice choice_of_model(const PreparedFit& prepared) {
 /// up to ten times the largest, of areas up to nine tenths of the smallest.
 FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
   FreeChoice choice = choice_of_model(prepared);
-  double largest_load = 1, largest_shear = 1,
+  const LargestPullOff of_pull_off = largest_pull_off(data);
+  double largest_load = std::max(1.0, of_pull_off.load), largest_shear = std::max(1.0, of_pull_off.shear),
          smallest_area = prepared.used.empty() ? 1 : std::numeric_limits<double>::infinity();
-  for (const PullOffReading& one : data.pull_off) {
-    largest_load = std::max(largest_load, std::abs(one.P));
-    if (one.held == HeldShear::load) largest_shear = std::max(largest_shear, std::abs(one.shear));
-  }
   for (std::size_t k = 0; k < (prepared.fitted.empty() ? 0 : prepared.used.size()); ++k) {
     const std::size_t i = prepared.used[k];
     largest_load = std::max(largest_load, std::abs(data.points[i].P));

@@ -1,6 +1,7 @@
 // One set of parameters for all runs against one set for each.
 #include <algorithm>
 
+#include "dataset/pull_off.h"
 #include "fitting/comparison.h"
 #include "fitting/fitted_parameters.h"
 #include "fitting/predicted_area.h"
@@ -145,11 +146,7 @@ void test_runs(const FitResult& pooled, const SeparateFits& separate, PerCurve& 
 }  // namespace
 
 PerCurve fit_per_curve(const Dataset& data, std::string_view model, const FitOptions& asked) {
-  if (!data.pull_off.empty()) {  // they belong to no run
-    Dataset areas = data;
-    areas.pull_off.clear();
-    return fit_per_curve(areas, model, asked);
-  }
+  if (!data.pull_off.empty()) return fit_per_curve(without_pull_off(data), model, asked);  // they belong to no run
   PerCurve result;
   FitOptions options = asked;
   options.fitted_errors = false;  // with one value for differing runs, the differences would be taken for noise

@@ -117,7 +117,7 @@ std::vector<std::pair<double, double>> drawn_pull_off(const Dataset& data, const
   std::vector<PullOff> found(points);
   for (std::size_t i = 0; i < points; ++i) {
     as_read[i] = most * static_cast<double>(i) / static_cast<double>(points - 1);
-    shear[i] = std::abs(held == HeldShear::load ? scale.shear(as_read[i]) : scale.displacement * as_read[i]);
+    shear[i] = std::abs(held_shear(scale, held, as_read[i]));
   }
   model.pull_off(candidate.parameters, held, shear, found, {});
   std::vector<std::pair<double, double>> drawn;

@@ -6,8 +6,12 @@
 namespace mixity {
 
 MeasuredPullOff measured_pull_off(const PullOffReading& reading, double common, double least) {
-  return {reading.held, reading.P, reading.shear, reading.sigma_P < 0 ? common : std::max(reading.sigma_P, least),
+  return {reading.held, reading.P, reading.shear, std::max(reading.error_of_load(common), least),
           std::max(reading.sigma_shear, 0.0)};
+}
+
+double held_shear(const ConstantsScale& scale, HeldShear held, double reading) {
+  return held == HeldShear::load ? scale.shear(reading) : scale.displacement * reading;
 }
 
 bool pull_off_rows(const std::vector<MeasuredPullOff>& points, const FreeChoice& choice, const Candidate& at,
@@ -22,7 +26,7 @@ bool pull_off_rows(const std::vector<MeasuredPullOff>& points, const FreeChoice&
     const bool by_load = one.held == HeldShear::load;
     held[i] = one.held;
     P[i] = scale.load(one.P);
-    shear[i] = by_load ? scale.shear(one.shear) : scale.displacement * one.shear;
+    shear[i] = held_shear(scale, one.held, one.shear);
     sigma_P[i] = scale.force * one.sigma_P;
     sigma_shear[i] = (by_load ? scale.shear_force : scale.displacement) * one.sigma_shear;
   }
@@ -50,12 +54,11 @@ bool pull_off_rows(const std::vector<MeasuredPullOff>& points, const FreeChoice&
   return true;
 }
 
-double largest_pull_off(const Dataset& data) {
-  double largest = 0;
-  for (const PullOffReading& one : data.pull_off) largest = std::max(largest, std::abs(one.P));
+double size_of_pull_off(const Dataset& data) {
+  const double largest = largest_pull_off(data).load;
   return largest > 0 ? largest : 1;
 }
 
-double assumed_pull_off_error(const Dataset& data) { return 0.01 * largest_pull_off(data); }
+double assumed_pull_off_error(const Dataset& data) { return 0.01 * size_of_pull_off(data); }
 
 }  // namespace mixity

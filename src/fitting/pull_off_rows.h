@@ -20,12 +20,15 @@ struct MeasuredPullOff {
 /// error of the load that is stated as 0 is `least`.
 MeasuredPullOff measured_pull_off(const PullOffReading& reading, double common, double least);
 
+/// The shear that is held, of the corrected reading, dimensionless by these constants.
+double held_shear(const ConstantsScale& scale, HeldShear held, double reading);
+
 /// Fills residuals and, unless it is empty, the rows of the Jacobian. False where the model has no such load.
 bool pull_off_rows(const std::vector<MeasuredPullOff>& points, const FreeChoice& choice, const Candidate& at,
                    std::span<double> residuals, std::span<double> jacobian);
 
 /// The largest |P| of the readings; 1 if all are 0.
-double largest_pull_off(const Dataset& data);
+double size_of_pull_off(const Dataset& data);
 
 /// The standard error of loads where none is stated, before a fit: 1 % of the largest.
 double assumed_pull_off_error(const Dataset& data);

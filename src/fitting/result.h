@@ -276,6 +276,8 @@ struct FitResult {
   bool has_values() const { return status != FitStatus::not_identifiable; }
   /// The number of residuals: of the points, of the axes of elliptic contacts, and of pull-off loads.
   std::size_t rows() const { return used.size() + axes + pull_off; }
+  /// Whether the data are pull-off loads without areas.
+  bool of_pull_off_alone() const { return used.empty() && pull_off > 0; }
   /// Degrees of freedom: residuals minus free parameters, at least 0.
   std::size_t freedom() const { return rows() > free_parameters ? rows() - free_parameters : 0; }
 };

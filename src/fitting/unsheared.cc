@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "dataset/pull_off.h"
 #include "fitting/prepare.h"
 #include "fitting/stated_constants.h"
 #include "solver/prior.h"
@@ -49,11 +50,7 @@ std::unique_ptr<ModelProblem> problem_of(const Dataset& data, const PreparedFit&
 
 std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOptions& options) {
   if (!data.has_loads || data.points.empty()) return std::nullopt;
-  if (!data.pull_off.empty()) {
-    Dataset areas = data;
-    areas.pull_off.clear();
-    return test_unsheared(areas, options);
-  }
+  if (!data.pull_off.empty()) return test_unsheared(without_pull_off(data), options);
   const std::vector<std::size_t> points = unsheared_points(data);
   FitOptions as_stated;
   as_stated.sigma_T = options.sigma_T;

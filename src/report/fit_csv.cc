@@ -213,8 +213,7 @@ std::string pull_off_csv(const Analysis& result) {
   column.quantity("P_c_predicted", units.force, kDigits,
                   [&](const Row& row) { return row.fit.pull_off_loads[row.index] * units.force_scale; });
   column.quantity("sigma_P", units.force, kDigits, [&](const Row& row) {
-    const double stated = reading(row).sigma_P;
-    return (stated < 0 ? row.fit.errors->pull_off : stated) * units.force_scale;
+    return reading(row).error_of_load(row.fit.errors->pull_off) * units.force_scale;
   });
   column("residual", [](const Row& row) { return row.fit.pull_off_residuals[row.index]; });
   for (const FitResult& fit : result.fits)

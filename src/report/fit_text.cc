@@ -102,12 +102,11 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
   if (fit.rmse)
     out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
         << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", "
-        << counted(fit.used.empty() ? fit.pull_off : fit.used.size(),
-                   fit.used.empty() && fit.pull_off > 0 ? "pull-off load" : "point")
+        << (fit.of_pull_off_alone() ? counted(fit.pull_off, "pull-off load") : counted(fit.used.size(), "point"))
         << '\n';
   write_lines({pull_off_line(fit, data)});
   write_lines(consistency_lines(fit, data));
-  out << (fit.used.empty() && fit.pull_off > 0 ? std::string() : errors_text(fit, data, request.words))
+  out << (fit.of_pull_off_alone() ? std::string() : errors_text(fit, data, request.words))
       << resampling_text(fit, data);
   if (fit.area && !fit.used.empty()) {
     out << "    ";

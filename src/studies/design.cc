@@ -10,6 +10,8 @@
 #include "base/threads.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
+#include "mechanics/contact_model.h"
+#include "mechanics/ellipse.h"
 #include "studies/simulate.h"
 
 namespace mixity {
@@ -48,6 +50,23 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
     if (has_all_values(fit)) expected.rivals.push_back({model, fit.sum_of_squares});
   }
   return expected;
+}
+
+double CouplingRuns::needed(double odds) const { return std::ceil(2 * std::log(odds) / chi2); }
+
+std::vector<CouplingRuns> runs_for_couplings(const Plan& plan, std::span<const double> loads,
+                                             std::span<const double> reaches) {
+  const ContactModel circle = ContactModel::find(plan.model).value().circle();
+  const std::vector<std::string> equal{std::string(circle.info().key) + std::string(kEqualEllipse)};
+  std::vector<CouplingRuns> found;
+  for (const double load : loads)
+    for (const double reach : reaches) {
+      Plan one = plan;
+      one.loads = {load};
+      one.reach = reach;
+      found.push_back({load, reach, expect(one, equal).least_chi2()});
+    }
+  return found;
 }
 
 std::vector<LoadCandidate> next_loads(const Plan& plan, double least, double most, std::size_t candidates,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,17 @@ struct Expectation {
 
 /// `rivals`: keys of models; the plan's own model is ignored. Throws as simulate does.
 Expectation expect(const Plan& plan, const std::vector<std::string>& rivals);
+
+/// Runs of one load up to a share of its jump, of a plan of elliptic contacts.
+struct CouplingRuns {
+  double load, reach;  // [N]; share
+  double chi2;         // per run, of the best fit with equal couplings
+  /// How many runs take these odds against equal couplings; infinite where they are equal. chi^2 grows with the runs.
+  double needed(double odds) const;
+};
+/// For each load and each reach.
+std::vector<CouplingRuns> runs_for_couplings(const Plan& plan, std::span<const double> loads,
+                                             std::span<const double> reaches);
 
 /// Candidate loads for one more run, evenly from `least` to `most` [N], with the expectation of the extended plan.
 struct LoadCandidate {

@@ -32,10 +32,7 @@ Figure pull_off_figure(const ReportedData& reported, HeldShear held) {
     if (one.held != held) continue;
     const double x = std::abs(one.shear) * of_shear, y = one.P * units.force,
                  dx = std::max(one.sigma_shear, 0.0) * of_shear,
-                 dy = (one.sigma_P >= 0 ? one.sigma_P
-                       : errors         ? errors->pull_off
-                                        : 0) *
-                      units.force;
+                 dy = one.error_of_load(errors ? errors->pull_off : 0) * units.force;
     points.points.emplace_back(x, y);
     points.bars.push_back({x - dx, x + dx, y - dy, y + dy});
     most = std::max(most, std::abs(one.shear));
