@@ -5,6 +5,7 @@
 
 #include "dataset/display_units.h"
 #include "fitting/predicted_area.h"
+#include "fitting/pull_off_rows.h"
 
 namespace mixity {
 namespace {
