@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/stop.h"
 #include "base/unfinished_run.h"
 
 namespace mixity {
@@ -88,6 +89,12 @@ void Inputs::add(InputFile file) {
   if (index_.emplace(file.path, files_.size()).second) files_.push_back(std::move(file));
 }
 
+std::vector<InputFile> Inputs::without_contents() const {
+  std::vector<InputFile> list = files_;
+  for (InputFile& file : list) file.content = nullptr;
+  return list;
+}
+
 InputStream::InputStream(const std::string& path, Inputs& inputs)
     : inputs_(inputs), given_(inputs.given(path)), stream_(nullptr, &std::fclose) {
   file_.path = path;
@@ -111,6 +118,7 @@ InputStream::InputStream(const std::string& path, Inputs& inputs)
 }
 
 void InputStream::read(std::size_t bytes, std::string& text) {
+  may_go_on();
   const std::size_t before = text.size();
   if (given_) {
     text.append(*given_, file_.bytes, bytes);
@@ -141,6 +149,7 @@ void InputStream::finish() {
   }
   file_.hash = hash_.text();
   file_.content = given_ ? given_ : content_;
+  if (!file_.content) file_.whole_path = std::filesystem::absolute(file_.path).string();
   inputs_.add(file_);
 }
 
@@ -155,7 +164,7 @@ std::vector<std::string> files_remembered() {
 std::string content_of(const InputFile& file) {
   if (file.content) return *file.content;
   Inputs again;
-  InputStream stream(file.path, again);
+  InputStream stream(file.whole_path, again);
   std::string text;
   while (!stream.at_end()) stream.read(file.bytes + 1, text);
   if (again.files().front().hash != file.hash)

@@ -20,6 +20,7 @@ struct InputFile {
   std::size_t bytes = 0;
   std::string hash;                              // of the content (content_hash.h)
   std::shared_ptr<const std::string> content{};  // null if longer than Inputs::kMostKept bytes
+  std::string whole_path{};  // of such a file: where it is read again, also from another working directory
 };
 
 /// The input files of a data set or another result, in the order of reading.
@@ -42,6 +43,8 @@ class Inputs {
 
   void add(InputFile file);
   const std::vector<InputFile>& files() const { return files_; }
+  /// To be listed, which needs no contents.
+  std::vector<InputFile> without_contents() const;
 
  private:
   std::map<std::string, InputFile> given_;  // by path

@@ -46,11 +46,13 @@ bool lock(int file, const std::filesystem::path& folder) {
 
 /// Locks of folders in which no run is unfinished.
 FolderLocks locks_of_finished(const std::set<std::filesystem::path>& folders) {
-  for (;;) {
+  constexpr int kMost = 10;
+  for (int i = 1;; ++i) {
     for (const std::filesystem::path& folder : folders) complete_unfinished_run(folder);
     FolderLocks locks(folders);
-    // A program may have been killed before it was locked here. Without locks, another may be at work.
-    if (!locks.has_all() || std::none_of(folders.begin(), folders.end(), has_unfinished_run)) return locks;
+    // A program may have been killed before it was locked here. Without locks it cannot be told from one at work.
+    if (i == kMost || !locks.has_all() || std::none_of(folders.begin(), folders.end(), has_unfinished_run))
+      return locks;
   }
 }
 

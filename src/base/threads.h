@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <future>
 #include <thread>
 #include <vector>
+
+#include "base/stop.h"
 
 namespace mixity {
 
@@ -48,7 +51,8 @@ namespace threads_detail {
 /// `helpers`: already counted as busy. Each has its processor until it finds no more work, the caller while it works.
 template <class Run>
 void run_with(std::size_t helpers, const Run& run) {
-  const auto help = [&run] {
+  const auto help = [&run, check = stop_check()] {
+    const Stoppable stoppable(check);
     struct End {
       ~End() { ++idle(); }
     } const end;
@@ -58,7 +62,12 @@ void run_with(std::size_t helpers, const Run& run) {
   for (std::size_t k = 0; k < helpers; ++k) running.push_back(std::async(help));
   run();
   const BusyProcessors waiting(-1);
-  for (auto& one : running) one.get();
+  constexpr std::chrono::milliseconds kPause(20);
+  for (auto& one : running) {
+    // who waits may be the only one who is told to stop
+    while (stop_check() && one.wait_for(kPause) != std::future_status::ready) may_go_on();
+    one.get();
+  }
 }
 
 }  // namespace threads_detail

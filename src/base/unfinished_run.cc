@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kName = ".mixity-unfinished";
+constexpr const char* kName = kUnfinishedName;
 
 // What the lines of a hidden file begin with.
 constexpr std::string_view kRun = "run ", kFirst = "first ", kWith = "with ", kRename = "rename ", kRemove = "remove ";
@@ -97,7 +97,12 @@ void carry_out(const FolderChanges& changes) {
       check(::unlink(file.c_str()), changes.folder);
 }
 
-void remove_hidden_file(const fs::path& folder) { check(::unlink((folder / kName).c_str()), folder); }
+void remove_hidden_file(const fs::path& folder) {
+  const fs::path file = folder / kName;
+  if (::unlink(file.c_str()) == 0 || errno == ENOENT) return;
+  check(-1, folder);
+  throw OutputError(file.string() + ": is no file, as that of a run that was killed is: remove it");
+}
 
 /// All folders of the run that is unfinished in one of them, the first of them first; that one alone if the run has
 /// done nothing.
@@ -106,7 +111,9 @@ std::vector<fs::path> folders_of_run(const fs::path& folder) {
   const auto first = own ? hidden_file_of(own->first) : std::nullopt;
   if (!first || first->run != own->run || first->first != own->first) return {folder};
   std::vector<fs::path> folders{own->first};
-  folders.insert(folders.end(), first->other.begin(), first->other.end());
+  std::error_code none;
+  for (const fs::path& other : first->other)
+    if (fs::exists(other / kName, none)) folders.push_back(other);
   return folders;
 }
 
@@ -136,23 +143,23 @@ bool has_unfinished_run(const fs::path& folder) {
 }
 
 void complete_unfinished_run(const fs::path& folder) {
-  if (!has_unfinished_run(folder)) return;
-  std::error_code none;
-  if (fs::symlink_status(folder / kName, none).type() != fs::file_type::regular) return remove_hidden_file(folder);
-  const fs::path here = fs::canonical(folder, none);
-  const std::vector<fs::path> expected = folders_of_run(here);
-  const FolderLocks locks({expected.begin(), expected.end()});
-  if (!locks.has_all() || !has_unfinished_run(here)) return;
-  const std::vector<fs::path> folders = folders_of_run(here);
-  if (folders != expected) return complete_unfinished_run(folder);  // another run by now
-  const auto first = hidden_file_of(folders[0]);
-  // The first is carried out and removed last.
-  for (std::size_t i = folders.size(); i-- > 0;) {
-    const auto hidden = hidden_file_of(folders[i]);
-    if (i == 0 || (hidden && first && hidden->run == first->run)) {
+  while (has_unfinished_run(folder)) {
+    std::error_code none;
+    if (fs::symlink_status(folder / kName, none).type() != fs::file_type::regular) return remove_hidden_file(folder);
+    const fs::path here = fs::canonical(folder, none);
+    const std::vector<fs::path> folders = folders_of_run(here);
+    const FolderLocks locks({folders.begin(), folders.end()});
+    if (!locks.has_all()) return;
+    if (folders_of_run(here) != folders) continue;  // it is over, or another one by now
+    const auto first = hidden_file_of(folders[0]);
+    // The first is carried out and removed last.
+    for (std::size_t i = folders.size(); i-- > 0;) {
+      const auto hidden = hidden_file_of(folders[i]);
+      if (i > 0 && !(hidden && first && hidden->run == first->run)) continue;
       if (hidden && hidden->first == folders[0]) carry_out(hidden->changes);
       remove_hidden_file(folders[i]);
     }
+    return;
   }
 }
 

@@ -9,6 +9,8 @@
 
 namespace mixity {
 
+inline constexpr const char* kUnfinishedName = ".mixity-unfinished";
+
 /// What a run does to the files of one folder at its end.
 struct FolderChanges {
   struct Change {

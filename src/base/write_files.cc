@@ -173,6 +173,14 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
+/// Throws OutputError if one of the outputs has the name of a file that this program keeps in each folder.
+void spare_own_names(const std::vector<OutputFile>& outputs) {
+  for (const OutputFile& output : outputs)
+    for (const char* name : {OutputRecord::kName, kUnfinishedName})
+      if (std::filesystem::path(output.path).filename() == name)
+        throw OutputError(output.path + ": is the name of a file that mixity keeps there; take another name");
+}
+
 /// Throws OutputError if two paths lead to the same file, as links can.
 void tell_apart(const std::vector<OutputFile>& files) {
   std::map<std::filesystem::path, const OutputFile*> known;
@@ -279,6 +287,7 @@ std::vector<FolderChanges> changes_of(const std::deque<StagedFile>& recorded, co
 
 void write_files(const std::vector<OutputFile>& files, const OutputRules& rules) {
   spare_inputs(rules.inputs, files);
+  spare_own_names(files);
   tell_apart(files);
   std::deque<StagedFile> staged;
   std::set<std::string> hashes;

@@ -13,10 +13,7 @@ DEFINE_string(chord, "",
 namespace mixity::cli {
 namespace {
 
-std::size_t point_count() {
-  if (FLAGS_points < 2 || FLAGS_points > 10000000) throw UsageError("flag '--points' must lie between 2 and 10000000");
-  return static_cast<std::size_t>(FLAGS_points);
-}
+std::size_t point_count() { return count_from("points", 2, 10000000); }
 
 void print_at_load(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
   const Load load = load_from("load", units);

@@ -25,8 +25,9 @@ namespace mixity::cli {
 namespace {
 
 constexpr double kMilli = 1e-3;
-constexpr std::size_t kCandidates = 21, kMostRuns = 30;
-constexpr double kSureOdds = 19;  // 95 %
+constexpr std::size_t kCandidates = 21, kMostTried = 30;
+constexpr std::size_t kMostRuns = 100;  // a minute: the time grows with the square of their number
+constexpr double kSureOdds = 19;        // 95 %
 
 std::string error_text(const Plan& plan, const std::optional<double>& error) {
   if (!error) return "not determined";
@@ -114,10 +115,10 @@ void print_runs_needed(const Plan& plan, const LoadRange& range, const std::vect
   const double error = wanted.unit.text == "%" ? wanted.si() * plan.parameters[0] : wanted.si();
   const auto runs_until = [&](Goal goal, double cost) {
     const std::vector<std::string> others = goal == Goal::error ? std::vector<std::string>{} : rivals;
-    for (std::size_t runs = 1; runs <= kMostRuns; ++runs)
+    for (std::size_t runs = 1; runs <= kMostTried; ++runs)
       if (expect(best_plan(plan, range.least, range.most, runs, goal, others), others).cost(goal) <= cost)
         return std::to_string(runs);
-    return "more than " + std::to_string(kMostRuns);
+    return "more than " + std::to_string(kMostTried);
   };
   std::cout << "[[Runs needed]]\n    for an error of " << rounded(error, 3) << ": " << runs_until(Goal::error, error)
             << "; for 95% odds against every other model: " << runs_until(Goal::model, -2 * std::log(kSureOdds))
@@ -153,8 +154,8 @@ void print_couplings(const Plan& plan, const std::vector<double>& loads) {
 
 void print_outcome(const Plan& plan, const std::vector<std::string>& rivals, const std::string& name) {
   if (plan.loads.empty()) throw UsageError("flag '--experiments' needs loads: --loads, or --runs to find some");
-  const Outcome outcome =
-      try_plan(plan, count_from("seed", 0), count_from("experiments", 2), rivals, progress_line("experiments"));
+  const Outcome outcome = try_plan(plan, count_from("seed", 0), count_from("experiments", 2, 10000000), rivals,
+                                   progress_line("experiments"));
   std::cout << "[[" << outcome.experiments << " simulated experiments at " << loads_text(plan.loads) << "]]\n    "
             << name << " scatters by " << rounded(outcome.spread, 3) << ", stated "
             << rounded(outcome.mean_standard_error, 3) << "; 95% intervals hold the truth in "
@@ -190,7 +191,7 @@ int run_design(const Arguments& arguments) {
   if (searches) print_candidates(plan, candidates, name);
   Plan chosen = plan;
   if (is_set("runs")) {
-    chosen = best_plan(plan, range.least, range.most, count_from("runs", 1), goal, rivals);
+    chosen = best_plan(plan, range.least, range.most, count_from("runs", 1, kMostRuns), goal, rivals);
     print_best(plan, chosen, range, goal, rivals, name);
   }
   if (is_set("wanted")) print_runs_needed(plan, range, rivals);

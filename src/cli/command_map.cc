@@ -7,7 +7,7 @@
 
 DEFINE_string(axis, "", "the parameter on the second axis of the map; by default the model's first");
 DEFINE_string(lambda_range, "0,1", "smallest and largest lambda of the map");
-DEFINE_int32(grid, 41, "points of the map along each axis");
+DEFINE_string(grid, "41", "points of the map along each axis");
 DEFINE_bool(boundaries, false, "print the exact boundaries between regimes instead of the grid");
 DEFINE_string(tau0, "",
               "shear strength of the interface, such as \"0.43 MPa\", or dimensionless (tau0 xi/E*); the contact then "
@@ -18,7 +18,10 @@ namespace {
 
 struct Range {
   double low, high;
-  double at(int i) const { return i + 1 < FLAGS_grid ? low + (high - low) * i / (FLAGS_grid - 1) : high; }
+  std::size_t points = count_from("grid", 2, 10000);
+  double at(std::size_t i) const {
+    return i + 1 < points ? low + (high - low) * static_cast<double>(i) / static_cast<double>(points - 1) : high;
+  }
 };
 
 /// The two ends of --load_range, in the output's unit.
@@ -58,8 +61,8 @@ void print_grid(const ContactModel& model, const Range& loads, ParameterValues p
                 std::optional<double> tau0, const OutputUnits& units) {
   std::cout << units.headings("P") << ',' << model.parameters()[axis].name << ','
             << units.headings("regime,fracture,T_end,jumps_to,T_strength") << '\n';
-  for (int i = 0; i < FLAGS_grid; ++i)
-    for (int j = 0; j < FLAGS_grid; ++j) {
+  for (std::size_t i = 0; i < loads.points; ++i)
+    for (std::size_t j = 0; j < values.points; ++j) {
       const double P = loads.at(i);
       p[axis] = values.at(j);
       std::cout << shortest(P) << ',' << shortest(p[axis]) << ',';
@@ -81,7 +84,7 @@ void print_boundaries(std::span<const RegimeBoundary> boundaries, const Range& l
   const auto inside = [](const Range& range, double x) { return x >= range.low && x <= range.high; };
   std::cout << units.headings("boundary,P,lambda") << '\n';
   for (const RegimeBoundary& line : boundaries)
-    for (int i = 0; i < FLAGS_grid; ++i) {
+    for (std::size_t i = 0; i < loads.points; ++i) {
       const double P = line.of_load ? loads.at(i) : line.at(lambdas.at(i)) * units.force_scale,
                    lambda = line.of_load ? line.at(P / units.force_scale) : lambdas.at(i);
       if (inside(loads, P) && inside(lambdas, lambda))
@@ -95,7 +98,6 @@ int run_map(const Arguments& arguments) {
   require_flags_only("map", arguments);
   const ContactModel model = model_from(FLAGS_model);
   const std::string key(model.info().key);
-  if (FLAGS_grid < 2 || FLAGS_grid > 10000) throw UsageError("flag '--grid' must lie between 2 and 10000");
   if (is_set("tau0") && FLAGS_boundaries) throw UsageError("flags '--tau0' and '--boundaries': give one of them");
   const OutputUnits units = output_units();
   const std::optional<double> tau0 = strength(units);

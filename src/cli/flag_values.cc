@@ -35,11 +35,11 @@ double number_from(const std::string& flag, double low, double high) {
   return *value;
 }
 
-std::size_t count_from(const std::string& flag, std::size_t least) {
+std::size_t count_from(const std::string& flag, std::size_t least, std::size_t most) {
   const auto number = parse_number(value_of(flag));
-  if (!number || !(*number >= static_cast<double>(least)) || !(*number <= 1e9) ||
+  if (!number || !(*number >= static_cast<double>(least)) || !(*number <= static_cast<double>(most)) ||
       *number != static_cast<double>(static_cast<std::size_t>(*number)))
-    throw must(flag, "be a whole number from " + std::to_string(least) + " on");
+    throw must(flag, "be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   return static_cast<std::size_t>(*number);
 }
 

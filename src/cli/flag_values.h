@@ -24,8 +24,8 @@ UsageError must(const std::string& flag, const std::string& be);
 /// A number from low to high, both included.
 double number_from(const std::string& flag, double low, double high = 1e150);
 
-/// A whole number from `least` to 10^9.
-std::size_t count_from(const std::string& flag, std::size_t least);
+/// A whole number from `least` to `most`.
+std::size_t count_from(const std::string& flag, std::size_t least, std::size_t most = 1000000000);
 
 /// Comma-separated items, trimmed; none is empty.
 std::vector<std::string> list_from(const std::string& flag);

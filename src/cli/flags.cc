@@ -25,9 +25,9 @@ DEFINE_string(
     "data file, the load of all points if no column states it");
 DEFINE_string(loads, "", "normal loads, such as \"7.7,3.8 mN\"; for import, one for each data set, in order");
 DEFINE_string(load_range, "-4,40", "smallest and largest normal load: \"0.5, 10 mN\", or dimensionless");
-DEFINE_int32(points, 201,
-             "number of points of a curve, evenly spaced in phi; for design and simulate, points of a run, at equal "
-             "steps of T from 0 (default there 25)");
+DEFINE_string(points, "201",
+              "number of points of a curve, evenly spaced in phi; for design and simulate, points of a run, at equal "
+              "steps of T from 0 (default there 25)");
 DEFINE_string(
     law, "",
     "a law of your own: \"mine: 1 + (1-l)*tan(psi)^2; l=0..1\", in terms of psi, B = sin^2 psi, t = tan psi, or an "

@@ -18,7 +18,6 @@ DECLARE_string(out);
 DECLARE_string(save);
 DECLARE_bool(force);
 DECLARE_string(model);
-DECLARE_int32(points);
 
 namespace mixity::cli {
 

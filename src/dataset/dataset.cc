@@ -171,11 +171,11 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
   throw InputError(path, place, message);
 }
 
-std::string distinct_name(const std::string& wanted, const std::vector<std::string>& others) {
-  std::string name = wanted;
-  for (int same = 2; std::find(others.begin(), others.end(), name) != others.end(); ++same)
-    name = wanted + " (" + std::to_string(same) + ")";
-  return name;
+std::string DistinctNames::free_name(const std::string& wanted) {
+  if (taken_.count(wanted) == 0) return wanted;
+  int& number = numbers_.try_emplace(wanted, 2).first->second;
+  for (;; ++number)
+    if (std::string name = wanted + " (" + std::to_string(number) + ")"; taken_.count(name) == 0) return name;
 }
 
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
@@ -219,6 +219,12 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs
 }
 
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs) {
+  Dataset data = load_part(path, metadata, overrides, inputs);
+  data.inputs = inputs.files();
+  return data;
+}
+
+Dataset load_part(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs) {
   Dataset data;
   data.path = path;
   data.name = data_name(path);
@@ -226,7 +232,6 @@ Dataset load_dataset(const std::string& path, const Metadata& metadata, const Ov
   apply_overrides(overrides, data.metadata);
   require_whole_modulus(data.metadata, metadata_path(path), overrides);
   read_table(metadata_path(path), inputs, data);
-  data.inputs = inputs.files();
   return data;
 }
 

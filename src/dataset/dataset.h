@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "base/input_error.h"
@@ -198,8 +200,17 @@ struct Dataset {
 [[noreturn]] void refuse_value(const Dataset& data, const Point& point, std::string_view column,
                                const std::string& message);
 
-/// The wanted name, with " (2)", " (3)", ... appended if another has it.
-std::string distinct_name(const std::string& wanted, const std::vector<std::string>& others);
+/// Names of which no two are the same. A name costs the same however many there are.
+class DistinctNames {
+ public:
+  void take(const std::string& name) { taken_.insert(name); }
+  /// The wanted name, with " (2)", " (3)", ... appended if it is taken.
+  std::string free_name(const std::string& wanted);
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> numbers_;  // of a wanted name: the last that was found free
+};
 
 /// Indices into Dataset::points, by run.
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data);
@@ -228,5 +239,8 @@ Dataset load_dataset(const std::string& path, const Overrides& overrides = {});
 Dataset load_dataset(const std::string& path, const Overrides& overrides, Inputs& inputs);
 /// The same with this metadata in place of the TOML, which is not read.
 Dataset load_dataset(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs);
+/// The same as one of many files, without Dataset::inputs: those of all files together would be as many as their
+/// square.
+Dataset load_part(const std::string& path, const Metadata& metadata, const Overrides& overrides, Inputs& inputs);
 
 }  // namespace mixity

@@ -203,6 +203,7 @@ void join_noisy_loads(Dataset& data) {
   data.curve_loads.clear();
   double scatter = 0;
   const DisplayUnits& units = data.display;
+  DistinctNames names;
   for (const std::vector<double>& group : loads) {
     const double n = static_cast<double>(group.size()), mean = mean_of(group, 0, group.size());
     double squares = 0;
@@ -214,7 +215,8 @@ void join_noisy_loads(Dataset& data) {
     const int digits = error > 0 && mean != 0 ? static_cast<int>(std::floor(std::log10(std::abs(mean) / error))) : 1;
     const std::string name =
         "P=" + rounded(mean * units.force_scale, std::clamp(digits, 1, 6)) + unit_text(units.force);
-    data.curves.push_back(distinct_name(name, data.curves));
+    data.curves.push_back(names.free_name(name));
+    names.take(data.curves.back());
     data.curve_loads.push_back(mean);
   }
   if (count == 1) return;

@@ -73,7 +73,7 @@ void note_sphere(const Dataset& part, const std::string& name, Dataset& whole) {
 }
 
 /// Adds the runs of a file.
-void add(Dataset part, const RunFile& file, Dataset& whole) {
+void add(Dataset part, const RunFile& file, DistinctNames& names, Dataset& whole) {
   if (!part.has_loads) throw InputError(part.path, "holds no loads; only runs with P, T and A make one data set");
   if (whole.contact.has_value() != part.contact.has_value())
     throw InputError(part.path, "is dimensionless where others have units, or the other way round");
@@ -81,8 +81,10 @@ void add(Dataset part, const RunFile& file, Dataset& whole) {
                     runs = part.curves.size(), points = part.points.size();
   const std::string name = file.name.empty() ? part.name : printable(file.name, std::string::npos);
   note_sphere(part, name, whole);
-  for (const std::string& run : part.curves)
-    whole.curves.push_back(distinct_name(runs == 1 ? name : name + ": " + run, whole.curves));
+  for (const std::string& run : part.curves) {
+    whole.curves.push_back(names.free_name(runs == 1 ? name : name + ": " + run));
+    names.take(whole.curves.back());
+  }
   append(part.curve_loads, runs, whole.curve_loads, first_run);
   append(part.shear_reversed, runs, whole.shear_reversed, first_run);
   append(part.errors, points, whole.errors, whole.points.size());
@@ -159,9 +161,10 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     Overrides own = overrides;
     if (!files[k].load.empty()) own.emplace_back("load", files[k].load);
     if (!files[k].sphere.empty()) own.emplace_back("radius", files[k].sphere);
-    parts.push_back(load_dataset(files[k].path, stated[k], own, inputs));
+    parts.push_back(load_part(files[k].path, stated[k], own, inputs));
   }
   reverse_loads_alike(parts);
+  DistinctNames names;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const RunFile& file = files[k];
     Dataset& part = parts[k];
@@ -182,7 +185,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
     for (const PullOffReading& one : part.pull_off) last = std::max<std::size_t>(last, one.line);
     for (const Excluded& excluded : part.excluded) last = std::max(last, excluded.line);
     whole.files.push_back({file.path, lines});
-    add(std::move(part), file, whole);
+    add(std::move(part), file, names, whole);
     lines += last;
   }
   whole.name = common_name(files);

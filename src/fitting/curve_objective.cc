@@ -196,6 +196,7 @@ bool CurveObjective::some_blocks(std::span<const double> x, const MeasuredPoints
   const auto work = [&] {
     Workspace workspace(std::min(n, kBlock), model_parameters());
     for (std::size_t block; defined && (block = next++) < range.end;) {
+      may_go_on();
       const std::size_t begin = blocks_[block], end = blocks_[block + 1];
       if (!one_block(shifts_.empty() ? at : of_run(at, points.at(index_of(begin)).run), points, begin, end, range,
                      search, workspace, wanted))

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/input_error.h"
+#include "base/stop.h"
 #include "dataset/energies.h"
 #include "fitting/standard_errors.h"
 
@@ -92,6 +93,7 @@ EnergyPoints EnergyObjective::points_at(const std::vector<double>& toughness) co
 
 bool EnergyObjective::evaluate(std::span<const double> x, std::span<double> residuals,
                                std::span<double> jacobian) const {
+  may_go_on();
   const std::size_t n = G_I_.size(), p = model_parameters(), width = parameters_.size(), of_model = choice_.size();
   const std::vector<double> G_Ic = toughness_at(x);
   std::vector<double> by_toughness(n), by_parameter(jacobian.empty() ? 0 : n * p);

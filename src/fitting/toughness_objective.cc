@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "base/stop.h"
+
 namespace mixity {
 namespace {
 
 constexpr std::size_t kChunk = 256;  // points whose arrays stay in the processor's cache
+constexpr std::size_t kBetweenChecks = 16 * kChunk;
 
 /// The cost in ln f on packed arrays, for a one-parameter model: a vectorised sweep gives value and derivatives.
 class PackedToughness final : public Cost {
@@ -102,6 +105,7 @@ bool ToughnessObjective::evaluate(std::span<const double> x, std::span<double> r
   std::array<double, kChunk * ParameterValues::kMost> gradient;
   bool finite = true;
   for (std::size_t begin = 0; begin < targets_.size(); begin += kChunk) {
+    if (begin % kBetweenChecks == 0) may_go_on();
     const std::size_t n = std::min(kChunk, targets_.size() - begin);
     if (is_packed())
       model().packed_log_toughness(at.parameters[0], packed_, begin, n, value.data(), gradient.data(),
@@ -171,6 +175,7 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
   std::array<double, kChunk * ParameterValues::kMost> by_parameter;
   bool finite = true;
   for (std::size_t begin = 0; begin < points_.size; begin += kChunk) {
+    if (begin % kBetweenChecks == 0) may_go_on();
     const std::size_t n = std::min(kChunk, points_.size - begin);
     for (std::size_t j = 0; j < n; ++j) {
       const MeasuredPoint point = points_.at(begin + j);

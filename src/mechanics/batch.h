@@ -5,6 +5,7 @@
 #include <cassert>
 #include <span>
 
+#include "base/stop.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/packed_toughness.h"
 
@@ -76,6 +77,7 @@ std::size_t predict_areas(const LoadedContact<Law>& contact, std::span<const dou
     double y = areas[i];
     bool ok = y > 0;
     if (!ok) {
+      may_go_on();
       const Equilibrium equilibrium = contact.at(T[i]);
       ok = equilibrium.status == EquilibriumStatus::ok;
       y = equilibrium.y;

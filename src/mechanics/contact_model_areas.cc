@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/stop.h"
 #include "mechanics/any_law.h"
 #include "mechanics/batch.h"
 #include "mechanics/contact.h"
@@ -112,6 +113,7 @@ void ContactModel::tangential_loads(std::span<const Values> parameters, Values P
   if (law_->ellipse) return elliptic::tangential_loads(*law_->ellipse, parameters, P, A, T);
   with_law(*law_, [&]<class Law>(const Law& law) {
     for (std::size_t i = 0; i < T.size(); ++i) {
+      may_go_on();
       const auto p = parameters_at<Law>(parameters, i);
       if (!contact_obstacle(law, p, P[i]).empty() || above_pull_off(P[i]) < 0 || !(A[i] > 0)) continue;
       const double y = edge_load(radius_from_area(A[i]), P[i]), S0 = circle_radius(P[i]), v = y - 3 * pi<double>();

@@ -94,7 +94,7 @@ void bind_data(nb::module_& m) {
          const Contents& made) {
         Inputs inputs(inputs_of(contents ? *contents : made),
                       contents ? Inputs::Others::none : Inputs::Others::from_disk);
-        const nb::gil_scoped_release released;
+        const Released released;
         return load_files(paths, constants, inputs);
       },
       nb::arg(), nb::arg(), nb::arg().none() = nb::none(), nb::arg() = Contents());
@@ -178,7 +178,7 @@ void bind_data(nb::module_& m) {
         column.texts = texts.emplace_back(nb::cast<std::vector<std::string>>(values));
       }
     }
-    const nb::gil_scoped_release released;
+    const Released released;
     return make_dataset(name, all, constants);
   });
 }

@@ -142,7 +142,7 @@ void bind_mechanics(nb::module_& m) {
         [&] { model_of(model).tangential_loads(values_of(parameters), values_of(P), values_of(A), span_of(T)); });
   });
   m.def("phase_angles", [](const Numbers& P, const Numbers& T, const Numbers& A, const Output& psi, const Output& f) {
-    const nb::gil_scoped_release released;
+    const Released released;
     const Values loads = values_of(P), shears = values_of(T), sizes = values_of(A);
     for (std::size_t i = 0; i < psi.size(); ++i) {
       const auto point = toughness_of_area(loads[i], std::abs(shears[i]), sizes[i]);

@@ -32,7 +32,7 @@ void save_definition(const std::vector<UnderstoodFile>& understood, const std::o
 std::string checked_files(const std::vector<std::string>& paths, const Stated& constants,
                           const std::optional<std::string>& save, bool force, const Contents& made) {
   const std::vector<InputFile> given = inputs_of(made);
-  const nb::gil_scoped_release released;
+  const Released released;
   std::vector<std::string> read;
   const auto load = [&](const Overrides& with) {
     Inputs inputs(given, Inputs::Others::from_disk);
@@ -49,7 +49,7 @@ std::string checked_files(const std::vector<std::string>& paths, const Stated& c
 }
 
 std::string checked_data(const Dataset& data, const std::optional<std::string>& save, bool force) {
-  const nb::gil_scoped_release released;
+  const Released released;
   const CheckedData found = check_data([&](const Overrides&) { return data; }, {}, in_keywords);
   std::vector<std::string> inputs;
   for (const InputFile& one : data.inputs) inputs.push_back(one.path);
@@ -129,7 +129,7 @@ void bind_reports(nb::module_& m) {
            [](const Reduction& of, const std::string& folder, const std::string& formats, bool force,
               const std::vector<std::string>& inputs) {
              const FigureFormats wanted = formats_of(formats);
-             const nb::gil_scoped_release released;
+             const Released released;
              RunsOutput output = runs_output(of.logs, folder, wanted, of.cuts_path, in_keywords);
              keep_former(output.files);
              std::vector<std::string> read = inputs;
@@ -139,7 +139,7 @@ void bind_reports(nb::module_& m) {
            })
       .def("save_definition",
            [](const Reduction& of, const std::string& path, bool force, const std::vector<std::string>& inputs) {
-             const nb::gil_scoped_release released;
+             const Released released;
              std::vector<std::string> read = inputs;
              for (const std::string& one : inputs) read.push_back(metadata_path(one));
              save_definition(understood(of.logs), path, force, read);
@@ -155,7 +155,7 @@ void bind_reports(nb::module_& m) {
       [](const std::vector<std::string>& paths, const Stated& constants, std::optional<double> lag,
          std::optional<bool> drift, const std::string& cuts, const Contents& made) {
         const Inputs inputs(inputs_of(made), Inputs::Others::from_disk);
-        const nb::gil_scoped_release released;
+        const Released released;
         ReducedLogs logs = reduce_logs(paths, constants, {lag, drift, cuts, inputs});
         if (has_no_run(logs)) refuse_without_runs(paths[0]);
         return Reduction{std::move(logs), cuts};

@@ -52,10 +52,7 @@ void bind_studies(nb::module_& m) {
       .def("next_loads",
            [](const Plan& plan, double least, double most, std::size_t candidates,
               const std::vector<std::string>& rivals) {
-             Watch watch{nb::none()};
-             const auto found = without_gil([&] {
-               return next_loads(plan, least, most, candidates, rivals, [&](double share) { watch(share); });
-             });
+             const auto found = without_gil([&] { return next_loads(plan, least, most, candidates, rivals); });
              nb::list list;
              for (const LoadCandidate& one : found) list.append(nb::make_tuple(one.load, shown(one.expected)));
              return list;
@@ -63,18 +60,19 @@ void bind_studies(nb::module_& m) {
       .def("best",
            [](const Plan& plan, double least, double most, std::size_t runs, bool for_models,
               const std::vector<std::string>& rivals) {
-             Watch watch{nb::none()};
-             const nb::gil_scoped_release released;
-             return best_plan(plan, least, most, runs, for_models ? Goal::model : Goal::error, rivals,
-                              [&](double share) { watch(share); });
+             const Released released;
+             return best_plan(plan, least, most, runs, for_models ? Goal::model : Goal::error, rivals);
            })
       .def(
           "experiments",
           [](const Plan& plan, std::uint64_t seed, std::size_t count, const std::vector<std::string>& rivals,
              const nb::object& progress) {
             Watch watch(progress);
-            const Outcome outcome =
-                without_gil([&] { return try_plan(plan, seed, count, rivals, [&](double share) { watch(share); }); });
+            const auto tried = [&] {
+              const nb::gil_scoped_release released;
+              return try_plan(plan, seed, count, rivals, [&](double share) { watch(share); });
+            };
+            const Outcome outcome = tried();
             nb::dict one;
             one["experiments"] = outcome.experiments;
             one["with_value"] = outcome.with_value;

@@ -12,14 +12,17 @@
 #include <nanobind/stl/vector.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "analysis/request.h"
+#include "base/stop.h"
 #include "fitting/prediction.h"
 
 namespace nb = nanobind;
@@ -45,12 +48,6 @@ inline nb::ndarray<nb::numpy, double> numpy_of(std::vector<double> values) {
   return nb::ndarray<nb::numpy, double>(owned->data(), {owned->size()}, owner);
 }
 
-/// Calls work() with the interpreter's lock released.
-auto without_gil(const auto& work) {
-  const nb::gil_scoped_release released;
-  return work();
-}
-
 /// Made from the arguments of folds(); throws InputError.
 Control control_of(const std::string& kind, double stiffness);
 
@@ -59,29 +56,49 @@ nb::dict shown(const FoldPrediction& fold, bool with_errors);
 
 struct Interrupted {};
 
-/// Calls Python's callback and checks for Ctrl-C, on the thread that Python waits on. Once one of these throws, all
-/// threads stop.
+/// Calls Python's callback, and checks for Ctrl-C while it exists, on the thread that Python waits on. Once one of
+/// these throws, all threads stop.
 class Watch {
  public:
-  explicit Watch(nb::object callback) : callback_(std::move(callback)), main_(std::this_thread::get_id()) {}
-  void operator()(double share) {
+  explicit Watch(nb::object callback) : callback_(std::move(callback)) {}
+  void operator()(double share) { look(share); }
+
+ private:
+  void look(std::optional<double> share) {
+    constexpr std::chrono::milliseconds kPause(20);  // between looks, which wait for the interpreter's lock
     if (stop_) throw Interrupted();
     if (std::this_thread::get_id() != main_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (!share && now - looked_ < kPause) return;
+    looked_ = now;
     const nb::gil_scoped_acquire gil;
     try {
       if (PyErr_CheckSignals() != 0) throw nb::python_error();
-      if (!callback_.is_none()) callback_(share);
+      if (share && !callback_.is_none()) callback_(*share);
     } catch (...) {
       stop_ = true;
       throw;
     }
   }
 
- private:
   nb::object callback_;
-  std::thread::id main_;
+  const std::thread::id main_ = std::this_thread::get_id();
   std::atomic<bool> stop_ = false;
+  std::chrono::steady_clock::time_point looked_{};
+  const StopCheck check_ = [this] { look({}); };
+  const Stoppable stoppable_{&check_};
 };
+
+/// While it exists, the interpreter's lock is released, and Ctrl-C stops the work.
+class Released {
+  const Watch watch_{nb::none()};
+  const nb::gil_scoped_release released_;
+};
+
+auto without_gil(const auto& work) {
+  const Released released;
+  return work();
+}
 
 /// Reads one file, or several as one data set.
 Dataset load_files(const std::vector<std::string>& paths, const Stated& constants, Inputs& inputs);

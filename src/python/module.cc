@@ -7,6 +7,7 @@
 
 NB_MODULE(_core, m) {
   m.doc() = "The engine of mixity.";
+  nb::set_leak_warnings(false);  // what a program still holds when it ends is no leak
   static PyObject *input_error, *missing_column;
   nb::exception<mixity::InputError> of_input(m, "InputError", PyExc_ValueError);
   of_input.doc() = "What mixity does not take, with the sentence that says why and what helps. A ValueError.";

@@ -134,6 +134,8 @@ void describe(Fields<ListedEntry>& field) {
       for (const Figure& figure : group.figures) figures.push_back({&figure, listed.report});
     return figures;
   });
+  field("drawings", "what was read for figures of the log",
+        [](auto& listed) { return listed.entry->figures.drawings; });
   field("figures_left_out", "figures that do not apply", [](auto& listed) { return listed.entry->figures.left_out; });
 }
 

@@ -156,6 +156,8 @@ std::string log_json(const ReducedLogs& logs) {
     lags.push_back(std::move(lag));
   }
   nlohmann::ordered_json json{{"times", times}, {"lag", lags.front()}};
+  for (const InputFile& file : logs.front().inputs)
+    json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"xxh128", file.hash}});
   if (logs.size() > 1) json["lags"] = lags;  // of each log
   return json.dump(2) + "\n";
 }

@@ -16,7 +16,7 @@ namespace mixity {
 std::string runs_csv(const ReducedLogs& logs);
 /// The TOML beside the points: the constants of the log and its source.
 std::string runs_toml(const ReducedLogs& logs);
-/// JSON on how the log was read: the rows that share a time stamp, and the lag between two clocks with its standard
+/// JSON on how the log was read: the files with their hashes, the rows that share a time stamp, and the lag between two clocks with its standard
 /// error and 95 % interval.
 std::string log_json(const ReducedLogs& logs);
 /// run, P, cycle, time, T_peak, T_min, sigma_T_peak, sigma_T_min: the maximum of T in each stick-slip cycle, the

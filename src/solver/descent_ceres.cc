@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "solver/descent.h"
@@ -21,16 +22,25 @@ class CeresAdapter final : public ceres::CostFunction {
   bool Evaluate(const double* const* x, double* residuals, double** jacobians) const override {
     const std::size_t n = problem_.residual_count(), p = problem_.parameters().size();
     const bool wanted = jacobians && jacobians[0];
-    if (!problem_.evaluate({x[0], p}, {residuals, n}, {wanted ? jacobians[0] : nullptr, wanted ? n * p : 0}))
+    try {
+      if (!problem_.evaluate({x[0], p}, {residuals, n}, {wanted ? jacobians[0] : nullptr, wanted ? n * p : 0}))
+        return false;
+    } catch (...) {  // not through Ceres
+      thrown_ = std::current_exception();
       return false;
+    }
     for (std::size_t i = 0; i < n; ++i) residuals[i] *= scale_;
     for (std::size_t i = 0; wanted && i < n * p; ++i) jacobians[0][i] *= scale_;
     return true;
+  }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
   }
 
  private:
   const Problem& problem_;
   double scale_;
+  mutable std::exception_ptr thrown_;
 };
 
 }  // namespace
@@ -69,6 +79,7 @@ std::optional<Minimum> descend_with_ceres(const Problem& problem, const std::vec
     settings.function_tolerance = change;
     std::copy(start.begin(), start.end(), x.begin());
     ceres::Solve(settings, &ceres_problem, &summary);
+    cost.rethrow();
     if (!linearise(problem, x, options, at)) return std::nullopt;
     // The undamped step would lower the cost by the square of this. If that is far more than `change`, Ceres stopped
     // early.

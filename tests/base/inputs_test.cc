@@ -127,6 +127,13 @@ TEST(InputStream, OfMoreThanIsKeptTheHashAloneIsAndTheFileIsReadAgain) {
   const InputFile& file = inputs.files()[0];
   EXPECT_EQ(file.content, nullptr);
   EXPECT_EQ(content_of(file), content);
+  // also from another working directory
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  Inputs relative;
+  relative.read("large.csv");
+  std::filesystem::current_path(here);
+  EXPECT_EQ(content_of(relative.files()[0]), content);
   std::filesystem::resize_file(path, Inputs::kMostKept);
   EXPECT_EQ(error_of([&] { content_of(file); }),
             path + ": is another than the one that was read: its hash is not " + file.hash);

@@ -57,6 +57,32 @@ TEST(RunOnIdleProcessors, StartsNoThreadInsideWorkThatHasAllProcessors) {
   EXPECT_EQ(most_at_once([&](const auto& wait) { parallel_for(20, [&](std::size_t) { wait(); }); }), 1);
 }
 
+/// Only the thread that waits is told to stop; those that work for it are, too.
+TEST(Stoppable, StopsWorkOnAllThreadsWhileTheCallerWaits) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> stop = false, working = false, caller_is_done = false;
+  const StopCheck check = [&] {
+    if (std::this_thread::get_id() == caller && working && caller_is_done) stop = true;
+    if (stop) throw std::runtime_error("stopped");
+  };
+  const auto work = [&] {
+    run_on_threads(2, [&] {
+      if (std::this_thread::get_id() == caller) {
+        while (!working) std::this_thread::yield();
+        caller_is_done = true;
+        return;
+      }
+      for (working = true;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) may_go_on();
+    });
+  };
+  {
+    const Stoppable stoppable(&check);
+    EXPECT_THROW(work(), std::runtime_error);
+  }
+  stop = true;
+  EXPECT_NO_THROW(may_go_on()) << "without a check nothing stops";
+}
+
 TEST(RunOnIdleProcessors, HasItsProcessorsBackAfterEachCallAndEachException) {
   const std::ptrdiff_t before = threads_detail::idle();
   const BusyProcessors more(-2);

@@ -136,6 +136,34 @@ TEST_F(UnfinishedRun, IsNoneWhereHiddenFilesAreNot) {
   }
 }
 
+TEST_F(UnfinishedRun, OfFoldersThatAreNotThereEndsWhereItIs) {
+  announce(0);
+  std::filesystem::remove_all(folder_.path("out"));
+  EXPECT_EQ(content("saved/fit.toml"), "new");
+  folder_.write("saved/.mixity-unfinished", "run x\nfirst .\nwith /nowhere\nwith /proc/1\n");
+  write_files({{folder_.path("saved/other.csv"), "1"}});
+  EXPECT_FALSE(has_unfinished_run(folder_.path("saved")));
+}
+
+TEST_F(UnfinishedRun, IsNoFolder) {
+  const std::string hidden = folder_.path("out/.mixity-unfinished");
+  std::filesystem::create_directory(hidden);
+  for (const bool reads : {true, false}) {
+    try {
+      reads ? void(read_file(folder_.path("out/fits.csv"))) : write_files({{folder_.path("out/other.csv"), "1"}});
+      FAIL();
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.what(), std::filesystem::canonical(hidden).string() +
+                                  ": is no file, as that of a run that was killed is: remove it");
+    }
+  }
+}
+
+TEST_F(UnfinishedRun, HasANameThatNoOutputHas) {
+  for (const char* name : {".mixity-unfinished", ".mixity-files"})
+    EXPECT_THROW(write_files({{folder_.path(name), "1"}}, {{}, true, {}}), OutputError);
+}
+
 /// As a user without rights, whoever runs the test.
 TEST_F(UnfinishedRun, IsNamedToWhoMayNotCompleteIt) {
   announce(0);

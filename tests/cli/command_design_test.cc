@@ -56,7 +56,12 @@ TEST(DesignCommand, RefusesWhatCannotBePlanned) {
            {with_plan({"design", "--goal=fame"}), "it must be error or model"},
            {with_plan({"design", "--reach=2"}), "reach must lie above 0"},
            {with_plan({"design", "--sigma_A=2 mN"}), "sigma_A must be a percentage or an area"},
-           {with_plan({"design", "--experiments=1"}), "it must be a whole number from 2 on"}}) {
+           {with_plan({"design", "--experiments=1"}), "it must be a whole number from 2 to 10000000"},
+           {with_plan({"design", "--runs=1e9", "--load_range=1,2 mN"}), "it must be a whole number from 1 to 100"},
+           {with_plan({"design", "--points=1e6"}), "points of all runs would take some 2 GB; at most 1000000"},
+           {with_plan({"simulate", "--points=1e8"}), "points of all runs would take some 60 GB; at most 10000000"},
+           {{"curve", "--model=c", "--lambda=0.1", "--load=1", "--points=1e8"}, "a whole number from 2 to 10000000"},
+           {{"map", "--model=c", "--grid=1e5"}, "a whole number from 2 to 10000"}}) {
     const ProgramResult result = run_program(words);
     EXPECT_EQ(result.exit_code, 2) << message;
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/content_hash.h"
 #include "cli/run_program.h"
 #include "cli/shown_lines.h"
 
@@ -33,6 +36,31 @@ TEST(RunsCommand, MakesOfAShippedLogPointsThatGiveItsLambda) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(lines_of(content_of(folder.path("again/runs.csv"))).size(),
             lines_of(content_of(folder.path("log/runs.csv"))).size());
+}
+
+/// Name and hash of what was read stand in the results.
+TEST(RunsCommand, NamesWhatItReadWithItsHash) {
+  const TemporaryFolder folder;
+  const std::string log = folder.path("l.csv"), cuts = folder.write("cuts.toml", ""),
+                    constants = folder.write("l.toml", content_of(MIXITY_ROOT "/data/shear_log.toml"));
+  std::filesystem::copy_file(kLog, log);
+  ASSERT_EQ(run_program({"runs", log, "--cuts", cuts, "--out=" + folder.path("log")}).exit_code, 0);
+  const auto listed = [](const nlohmann::json& files) {
+    std::map<std::string, std::string> hashes;
+    for (const auto& file : files) hashes[file["path"]] = file["xxh128"];
+    return hashes;
+  };
+  auto files = listed(nlohmann::json::parse(content_of(folder.path("log/log.json")))["inputs"]);
+  EXPECT_EQ(files.size(), 3u);
+  for (const std::string& path : {log, constants, cuts}) EXPECT_EQ(files[path], content_hash(content_of(path))) << path;
+  ASSERT_LE(run_program({"report", folder.path("log/fit.toml"), "--checks=false", "--models=c",
+                         "--out=" + folder.path("report")})
+                .exit_code,
+            1);
+  const auto data = nlohmann::json::parse(content_of(folder.path("report/results.json")))["datasets"][0];
+  files = listed(data["drawings"]);
+  const std::string drawing = folder.path("log/figures/run_1_T.svg");
+  EXPECT_EQ(files[drawing], content_hash(content_of(drawing)));
 }
 
 TEST(RunsCommand, HasItsFiguresOfTheShearInTheReport) {

@@ -90,6 +90,29 @@ TEST(Pooled, PointsOfAFileCanBeLeftOutByItsName) {
             std::string::npos);
 }
 
+TEST(DistinctNames, AreTheWantedOnesAsFarAsTheyAreFree) {
+  DistinctNames names;
+  std::vector<std::string> given;
+  for (const char* wanted : {"a", "a", "a (2)", "a", "b", "a (3)"}) {
+    given.push_back(names.free_name(wanted));
+    EXPECT_EQ(names.free_name(wanted), given.back()) << "a name that is not taken stays free";
+    names.take(given.back());
+  }
+  EXPECT_EQ(given, (std::vector<std::string>{"a", "a (2)", "a (2) (2)", "a (3)", "b", "a (3) (2)"}));
+}
+
+/// What was read is listed once, for all files together: tools/growth shows that time and memory grow with their
+/// number.
+TEST(Pooled, WhatWasReadIsListedOnce) {
+  const TemporaryFolder folder;
+  std::vector<RunFile> files;
+  for (int i = 0; i < 3; ++i)
+    files.push_back({folder.write("run" + std::to_string(i) + ".csv", "P,T,A\n1,0,20\n1,3,19\n")});
+  Inputs inputs;
+  EXPECT_TRUE(load_part(files[0].path, {}, {}, inputs).inputs.empty());
+  EXPECT_EQ(load_pooled(files).inputs.size(), files.size());
+}
+
 TEST(Pooled, AFileThatIsNamedTwiceIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.write("run_1.csv", "P,T,A\n1,0,2\n1,1,1.9\n");

@@ -251,6 +251,19 @@ def test_nothing_of_a_function_is_reported_as_lost_at_the_end():
     assert told.stderr == ""
 
 
+def test_data_that_a_function_sees_are_not_reported_as_lost_at_the_end(root):
+    # the function has the names of the script, and the engine has the function until the end
+    code = f"""
+import mixity, warnings
+warnings.simplefilter("ignore")
+data = mixity.read({str(root / "data/mergel2018.csv")!r})
+law = mixity.Law(lambda psi, p: 1 + p * psi**2, p=(0, 1))
+fits = mixity.fit(data, [law], checks=False)
+"""
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    assert told.stderr == ""
+
+
 def test_a_function_is_freed_with_the_gil_held():
     # the engine frees a law on any thread, also on one that has released the GIL, as ctypes does here
     code = """

@@ -105,8 +105,12 @@ def fits_of(program, files, options):
 
 def apart(one, other, factor, from_scatter):
     """Says what differs; empty if nothing does."""
-    if one["status"] != other["status"] and not (factor > 1 and other["status"] == "not_identifiable"):
+    # What larger errors hide, smaller ones show.
+    worse = other if factor > 1 else one if factor < 1 else {"status": None}
+    if one["status"] != other["status"] and worse["status"] != "not_identifiable":
         return f"status {one['status']} becomes {other['status']}"
+    if worse["status"] == "not_identifiable":
+        return ""
     first, second = (next(iter(fit["parameters"].values())) for fit in (one, other))
     if second["value"] is None:
         return "" if first["value"] is None or factor > 1 else "no value any more"

@@ -37,6 +37,7 @@ class Finder {
   Finder(Frames frames, const std::string& unit, double factor, const RunOptions& options)
       : unit_(unit), factor_(factor), options_(options) {
     found_.frames = std::move(frames);
+    for (const std::string& name : options.taken) names_.take(name);
     sheared_.resize(found_.frames.T.size(), std::nan(""));
     if (options_.by_shear_alone) constant_.resize(found_.frames.A.size());
   }
@@ -102,7 +103,7 @@ class Finder {
     run.direction = shear.direction;
     run.noise_T = shear.noise;
     run.P = mean_of(frames.P, step.begin, step.end);
-    run.name = name_of(run.P);
+    run.name = names_.free_name("P=" + rounded(run.P / factor_, 3) + " " + unit_);
     const auto stated = options_.cuts.find(run.name);
     const StatedCut cuts = stated == options_.cuts.end() ? StatedCut{} : stated->second;
     require_inside(cuts.shear, cuts, cuts.shear_place, run.name, step);
@@ -114,6 +115,7 @@ class Finder {
     if (run.end < start.frame + 3)
       return add(step.begin, step.end, "no run", "fewer than three frames between the start of the shear and its end");
     if (cuts.leave_out) {
+      names_.take(run.name);
       found_.left_out.push_back(run.name);
       return add(step.begin, step.end, "left out", "left out as stated");
     }
@@ -133,6 +135,7 @@ class Finder {
     add(run.begin, start.frame, "hold", "");
     add(start.frame, run.end, "shear", "");
     add(run.end, run.last, "sliding", "past the onset of sliding");
+    names_.take(run.name);
     found_.runs.push_back(std::move(run));
   }
 
@@ -213,17 +216,11 @@ class Finder {
     return end;
   }
 
-  std::string name_of(double P) const {
-    std::vector<std::string> names = options_.taken;
-    for (const LoadingRun& run : found_.runs) names.push_back(run.name);
-    names.insert(names.end(), found_.left_out.begin(), found_.left_out.end());
-    return distinct_name("P=" + rounded(P / factor_, 3) + " " + unit_, names);
-  }
-
   std::string unit_;
   double factor_;
   const RunOptions& options_;
   LoadingRuns found_;
+  DistinctNames names_;
   double noise_A_ = 0;            // m^2
   double rest_T_ = 0;             // N
   std::vector<double> sheared_;   // T of the steps searched so far, see shear_of; NaN elsewhere

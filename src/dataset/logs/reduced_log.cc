@@ -84,7 +84,7 @@ std::vector<Recordings> logs_of(std::vector<Recordings> files) {
   return logs;
 }
 
-std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants, Inputs inputs,
+std::vector<Recordings> read_logs(const std::vector<std::string>& paths, const Overrides& constants, Inputs& inputs,
                                   Metadata& metadata) {
   if (const auto again = named_twice(paths)) throw InputError(*again, "is named twice: its runs would count twice");
   std::vector<Recordings> files;
@@ -207,12 +207,15 @@ ReducedLog reduced(Recordings recordings, const Metadata& metadata, std::optiona
 ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& constants,
                         const ReductionOptions& options) {
   constexpr std::size_t kShown = 200;
+  Inputs inputs = options.inputs;
   RunOptions run_options;
   run_options.drift = options.drift;
-  if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path);
+  if (!options.cuts_path.empty()) run_options.cuts = read_cuts(options.cuts_path, inputs);
   Metadata metadata;
   ReducedLogs logs;
-  std::vector<Recordings> all = read_logs(paths, constants, options.inputs, metadata);
+  std::vector<Recordings> all = read_logs(paths, constants, inputs, metadata);
+  const std::vector<InputFile> read = inputs.without_contents();
+  inputs = {};
   const bool pairs = std::any_of(all.begin(), all.end(), [](const Recordings& one) { return one.size() > 1; });
   for (Recordings& recordings : all) {
     const auto lag = pairs && recordings.size() == 1 ? std::nullopt : options.lag;  // a lag is between two clocks
@@ -232,6 +235,7 @@ ReducedLogs reduce_logs(const std::vector<std::string>& paths, const Overrides& 
                                               printable(name, std::string::npos) +
                                               "', which the log does not have (it has " +
                                               printable(joined(names), kShown) + ")");
+  logs.front().inputs = read;
   return logs;
 }
 
@@ -244,9 +248,8 @@ std::vector<UnderstoodFile> understood(const ReducedLogs& logs) {
   return files;
 }
 
-std::map<std::string, StatedCut> read_cuts(const std::string& path) {
+std::map<std::string, StatedCut> read_cuts(const std::string& path, Inputs& inputs) {
   std::map<std::string, StatedCut> cuts;
-  Inputs inputs;
   for (const auto& [key, node] : read_toml(path, inputs)) {
     if (key != "cuts" || !node.is_array_of_tables()) fail_at(path, key, "holds tables [[cuts]] and nothing else");
     for (const toml::node& entry : *node.as_array()) {

@@ -22,6 +22,7 @@ struct ReducedLog {
   /// different names only as it is stated.
   std::map<std::string, std::string> mapping;
   LoadingRuns runs;
+  std::vector<InputFile> inputs{};  // what was read for all logs, without contents; of the first log only
   bool load_turned = false;  // compression is negative in the log, so loads were reversed
 };
 
@@ -45,6 +46,6 @@ std::vector<UnderstoodFile> understood(const ReducedLogs& logs);
 
 /// Reads a TOML with tables [[cuts]], which have `run`, and shear = "2.1 s", onset = "4.31 s" or leave_out = true.
 /// Throws InputError, with line and column, for anything else.
-std::map<std::string, StatedCut> read_cuts(const std::string& path);
+std::map<std::string, StatedCut> read_cuts(const std::string& path, Inputs& inputs);
 
 }  // namespace mixity

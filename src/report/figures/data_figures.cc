@@ -5,7 +5,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "base/files.h"
+#include "base/inputs.h"
 #include "base/phrases.h"
 #include "report/figures/svg.h"
 
@@ -30,13 +30,14 @@ std::string shown_note(std::size_t shown, std::size_t all) {
   return shown < all ? " " + std::to_string(shown) + " of " + std::to_string(all) + " points are shown." : "";
 }
 
-std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<MissingFigure>& left_out) {
+std::vector<Figure> kept_log_figures(const ReportedData& reported, DataFigures& all) {
   std::vector<Figure> figures;
   const auto& paths = reported.result.request.log_figures;
+  Inputs inputs;
   for (const std::size_t i : spread(first_indices(paths.size()), kMostLogs)) {
     const std::filesystem::path path = paths[i];
     const auto leave_out = [&](const std::string& why) {
-      left_out.push_back({"the log's " + path.filename().string(), why});
+      all.left_out.push_back({"the log's " + path.filename().string(), why});
     };
     std::error_code unread;
     if (!std::filesystem::is_regular_file(path, unread)) {
@@ -44,13 +45,14 @@ std::vector<Figure> kept_log_figures(const ReportedData& reported, std::vector<M
       continue;
     }
     auto [figure, reason, dropped] =
-        kept_figure(read_file(path.string()), reported.stem + "_log_" + std::to_string(i + 1));
+        kept_figure(inputs.read(path.string()), reported.stem + "_log_" + std::to_string(i + 1));
     if (figure)
       figures.push_back(std::move(*figure));
     else
       leave_out("the file that the fit definition names " + reason);
     if (!dropped.empty()) leave_out("of its drawing, what mixity's own drawings do not use: " + joined(dropped));
   }
+  all.drawings = inputs.without_contents();
   return figures;
 }
 
@@ -97,7 +99,7 @@ DataFigures data_figures(const ReportedData& reported) {
   keep_or_say_why(regime_figures(reported, figures.left_out), "regime map",
                   load_reason("no fitted model has lambda as its only parameter and more than one regime"));
   group("From the log");
-  keep(kept_log_figures(reported, figures.left_out));
+  keep(kept_log_figures(reported, figures));
   group("Other laws");
   keep_or_say_why(sahli_figures(reported), "alpha against A0",
                   data.has_loads ? "fewer than two runs in which A falls with T²" : no_loads);

@@ -19,6 +19,7 @@ struct MissingFigure {
 struct DataFigures {
   std::vector<FigureGroup> groups;
   std::vector<MissingFigure> left_out;
+  std::vector<InputFile> drawings;  // read for figures of the log, without their content
 };
 
 DataFigures data_figures(const ReportedData& data);
@@ -60,8 +61,9 @@ std::vector<Figure> behaviour_figures(const ReportedData& data);
 std::vector<Figure> regime_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
 /// alpha against A0 with the exponents -5/4 and -3/2.
 std::vector<Figure> sahli_figures(const ReportedData& data);
-/// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them; at most eight.
-std::vector<Figure> kept_log_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
+/// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them; at most eight. Adds what was read
+/// and what is left out.
+std::vector<Figure> kept_log_figures(const ReportedData& data, DataFigures& all);
 /// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts.
 std::vector<Figure> peak_figures(const ReportedData& data);
 

@@ -1,6 +1,6 @@
 // growth [--largest=N] [--program=PATH ...] [TASK...]: time and memory of each task over a range of sizes, with the
 // exponent of growth. Tasks: reading, points, loads, replicates, threads, which call the library; columns, fits, laws,
-// sets, runs, which run the program, that of this build or those at PATH. All by default.
+// sets, runs, files, which run the program, that of this build or those at PATH. All by default.
 #include <malloc.h>
 #include <sched.h>
 
@@ -206,7 +206,8 @@ int main(int argc, char** argv) {
       {"fits", [&](const Folder& folder) { fits(folder, programs, powers(100000, 10000000)); }},
       {"laws", of_programs(laws)},
       {"sets", of_programs(sets)},
-      {"runs", of_programs(runs)}};
+      {"runs", of_programs(runs)},
+      {"files", of_programs(files)}};
   std::vector<std::string> wanted;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];

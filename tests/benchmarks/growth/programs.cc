@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 
+#include <filesystem>
 #include <random>
 
 namespace mixity::growth {
@@ -125,6 +126,19 @@ void laws(const Folder& folder, const Programs& programs) {
     }
     return std::vector<std::string>{"fit", folder.file(50, 5), "--law=" + texts, "--models=" + keys,
                                     "--objective=toughness"};
+  });
+}
+
+void files(const Folder& folder, const Programs& programs) {
+  program_table("files of one data set, pooled and checked", {5000, 10000, 20000}, programs, [&](std::size_t n) {
+    const std::filesystem::path here = folder.path("files_" + std::to_string(n));
+    std::filesystem::create_directory(here);
+    for (std::size_t i = 0; i < n; ++i) {
+      std::FILE* file = opened(here / (std::to_string(i) + ".csv"));
+      std::fprintf(file, "P,T,A\n%zu,0,20\n%zu,1,19\n", i + 1, i + 1);
+      std::fclose(file);
+    }
+    return std::vector<std::string>{"check", "--pool", here / "*.csv"};
   });
 }
 

@@ -17,6 +17,8 @@ void columns(const Folder& folder, const Programs& programs);
 void fits(const Folder& folder, const Programs& programs, const std::vector<std::size_t>& sizes);
 /// So many laws of one's own, fitted to one data set and compared.
 void laws(const Folder& folder, const Programs& programs);
+/// So many files of two points, pooled and checked.
+void files(const Folder& folder, const Programs& programs);
 /// A report of so many data sets of 200 points.
 void sets(const Folder& folder, const Programs& programs);
 /// A log of so many contacts, made loading runs.

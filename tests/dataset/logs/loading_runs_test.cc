@@ -320,7 +320,10 @@ TEST(Frames, OfAreasThatAreHeldAreOneForEachPicture) {
 
 TEST(Cuts, ThatCannotBeUnderstoodAreRefusedWithTheirPlace) {
   const auto error = [](const std::string& text) {
-    return file_error("cuts.toml", text, [](const std::string& path) { read_cuts(path); });
+    return file_error("cuts.toml", text, [](const std::string& path) {
+      Inputs inputs;
+      read_cuts(path, inputs);
+    });
   };
   EXPECT_EQ(error("[[cuts]]\nrun = \"P=4 mN\"\nonset = \"4.31\"\n"),
             "cuts.toml:3:9: onset must be a time such as \"4.31 s\"");
