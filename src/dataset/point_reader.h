@@ -13,9 +13,9 @@
 
 namespace mixity {
 
-/// The units of points in SI: force, length and toughness ratio; 1 for dimensionless data.
+/// The units of points in SI: force, length, toughness ratio and approach; 1 for dimensionless data.
 struct PointUnits {
-  double force = 1, length = 1, ratio = 1;
+  double force = 1, length = 1, ratio = 1, displacement = 1;
 };
 
 /// The load common to all points, in SI, from the metadata or the name of the file; null if neither states it. Throws
@@ -41,7 +41,7 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  PointAxes axes;
+  PointAxes axes, load;         // load: measured beside a held approach
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign
 };
@@ -73,6 +73,7 @@ class PointReader {
   Columns columns_;
   ChannelClocks clocks_;
   PointUnits units_;
+  double compliance_ = 0;
 };
 
 }  // namespace mixity

@@ -72,6 +72,8 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   const auto acts = [&](Constant c) {
     if (c == kModulusDrift || c == kToughnessDrift) return data_.curves.size() >= 3;
     if (c == kShape && prepared_.model.is_elliptic()) return false;  // the model has the shape
+    if (c == kApproachOffset) return data_.holds_approach();
+    if (c == kLoadOffset && data_.holds_approach()) return !data_.loads_beside.empty();
     return c != kHysteresis || (with && without);
   };
   for (const Constant c : kAllConstants) {
@@ -79,7 +81,7 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
                                     [&](const FittedConstant& one) { return one.constant == c; });
     if (fitted || (!data_.has_loads && c != kToughness) || !acts(c)) continue;
     all.fitted.push_back({c, prepared_.constants[c], 0});
-    const double size = c == kLoadOffset ? load : c == kShearOffset ? shear : area;
+    const double size = c == kLoadOffset || c == kApproachOffset ? load : c == kShearOffset ? shear : area;
     exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : is_change(c) ? 0.01 : 0.01 * size});
     beside.push_back(prepared_.constants[c]);
   }
@@ -111,8 +113,9 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   if (result_.axes > 0) {
     std::size_t row = result_.used.size();
     for (const std::size_t point : result_.used)
-      result_.axes_residuals.push_back(std::isfinite(data_.axes[point].q) ? result_.innovations[row++]
-                                                                          : std::numeric_limits<double>::quiet_NaN());
+      result_.axes_residuals.push_back(std::isfinite(beside(data_)[point].q)
+                                           ? result_.innovations[row++]
+                                           : std::numeric_limits<double>::quiet_NaN());
   }
   result_.innovations.resize(result_.used.size());
   const Goodness fit = goodness(result_.residuals, problem_->targets(), problem_->weights());

@@ -140,7 +140,7 @@ void Fitter::add_rows_of_axes(Groups& groups) const {
   std::vector<std::size_t> row_of(prepared_.used.size(), 0);
   std::size_t next = prepared_.used.size();
   for (std::size_t i = 0; i < row_of.size(); ++i)
-    if (std::isfinite(data_.axes[prepared_.used[i]].q)) row_of[i] = next++;
+    if (std::isfinite(beside(data_)[prepared_.used[i]].q)) row_of[i] = next++;
   for (std::vector<std::size_t>& group : groups)
     for (std::size_t k = 0, points = group.size(); k < points; ++k)
       if (row_of[group[k]] > 0) group.push_back(row_of[group[k]]);

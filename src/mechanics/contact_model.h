@@ -75,6 +75,7 @@ class ContactModel {
   bool holds_approach() const;
   /// The same law under a held load.
   ContactModel of_loads() const;
+  bool has_compliance() const;  // it holds an approach by a machine that is not rigid
   /// The contact at this approach, of a model that holds it.
   HeldApproach held_at(double approach) const;
   static const std::vector<ContactModel>& published();

@@ -88,6 +88,8 @@ ContactModel ContactModel::of_loads() const {
 
 bool ContactModel::holds_approach() const { return law_->held != nullptr; }
 
+bool ContactModel::has_compliance() const { return law_->held && law_->held->compliance > 0; }
+
 HeldApproach ContactModel::held_at(double approach) const {
   return {approach, law_->held ? law_->held->compliance : std::numeric_limits<double>::infinity()};
 }

@@ -14,7 +14,7 @@ namespace mixity {
 
 /// The program's own, case-sensitive names: A is an area, a is a radius. a_par and a_perp are semi-axes along and
 /// across the shear, d_par and d_perp whole axes; major and minor are whole axes as image programs give them, and angle
-/// is that of the major one from the shear.
+/// is that of the major one from the shear. delta is an approach, which is held in place of P.
 enum class ColumnId {
   P,
   T,
@@ -28,12 +28,14 @@ enum class ColumnId {
   major,
   minor,
   angle,
+  delta,
   psi,
   mode_ratio,
   Gc,
   Gc_over_GIc,
   G_I,
   G_II,
+  sigma_P,
   sigma_T,
   sigma_A,
   sigma_a_par,
@@ -46,7 +48,7 @@ enum class ColumnId {
   time,
   frame
 };
-inline constexpr std::size_t kColumnCount = 29;
+inline constexpr std::size_t kColumnCount = 31;
 
 struct ColumnKind {
   ColumnId id;
@@ -67,12 +69,14 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::major, "major", dimension::length},
     {ColumnId::minor, "minor", dimension::length},
     {ColumnId::angle, "angle", dimension::angle},
+    {ColumnId::delta, "delta", dimension::length},
     {ColumnId::psi, "psi", dimension::angle},
     {ColumnId::mode_ratio, "mode_ratio", dimension::none},
     {ColumnId::Gc, "Gc", dimension::energy_per_area},
     {ColumnId::Gc_over_GIc, "Gc_over_GIc", dimension::none},
     {ColumnId::G_I, "G_I", dimension::energy_per_area},
     {ColumnId::G_II, "G_II", dimension::energy_per_area},
+    {ColumnId::sigma_P, "sigma_P", dimension::force},
     {ColumnId::sigma_T, "sigma_T", dimension::force},
     {ColumnId::sigma_A, "sigma_A", dimension::area},
     {ColumnId::sigma_a_par, "sigma_a_par", dimension::length},

@@ -179,7 +179,8 @@ class Names {
   /// Whether these columns suffice for points.
   bool is_complete() const {
     using enum ColumnId;
-    const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
+    const bool held = rules_.approach_held ? find(delta) != nullptr : find(P) || rules_.load_stated;
+    const bool loads = find(T) && held && is_sized();
     if (rules_.log)
       return loads && (find(ColumnId::time) || find(ColumnId::frame));  // false for a log of forces or areas alone
     return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
@@ -256,11 +257,15 @@ class Names {
   const NamedColumn* find(ColumnId id) const { return column_with(&NamedColumn::id, id); }
   const NamedColumn* at(std::size_t index) const { return column_with(&NamedColumn::index, index); }
   bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
-  bool is_read(ColumnId id) const { return rules_.log || !is_clock(id); }
+  bool is_read(ColumnId id) const {
+    if (id == ColumnId::delta || id == ColumnId::sigma_P) return rules_.approach_held;
+    return rules_.log || !is_clock(id);
+  }
   /// Whether it is a standard error of the columns that make points, a name of runs, or a column that selects rows.
   bool is_beside(ColumnId id) const {
     using enum ColumnId;
     if (rules_.log) return false;
+    if (id == sigma_P) return rules_.approach_held && find(P);
     if (id == sigma_T || id == sigma_A) return find(T);
     if (id == angle) return find(major);
     if (id == sigma_a_par || id == sigma_a_perp) return find(a_par) || find(d_par) || find(major);

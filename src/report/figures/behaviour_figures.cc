@@ -33,7 +33,7 @@ Figure equilibrium_curves(const ReportedData& reported, const std::string& name,
   double x_most = 0, y_most = 0;
   for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < figured.runs.size(); ++k) {
-      const std::string load = rounded(data.curve_loads[figured.runs[k]] * units.force, 4);
+      const std::string load = rounded(data.curve_loads[figured.runs[k]] * units.held, 4);
       Series series{&curves == figured.models.data() ? load : "", model_line(curves.fit->model), color(k)};
       for (const DrawnPoint& q : curves.areas[k].points) {
         series.points.emplace_back(q.*x_value, q.*y_value);
@@ -56,8 +56,10 @@ Figure radii_figure(const ReportedData& reported) {
   const DrawnUnits units(data);
   const FiguredModels& figured = reported.figured;
   const double least = *std::min_element(data.curve_loads.begin(), data.curve_loads.end());
-  Figure figure = beside_key(reported, "_a_P", "Contact radius against normal load at constant tangential load",
-                             {units.P(), std::min(least * units.force, 0.0), figured.P_most * units.force},
+  Figure figure = beside_key(reported, "_a_P",
+                             data.holds_approach() ? "Contact radius against approach at constant tangential load"
+                                                   : "Contact radius against normal load at constant tangential load",
+                             {units.P(), std::min(least * units.held, 0.0), figured.P_most * units.held},
                              {units.a(), 0.0, {}}, units.T());
   for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < curves.radii.size(); ++k) {
@@ -83,6 +85,10 @@ std::vector<Figure> behaviour_figures(const ReportedData& reported) {
                                                  u, &DrawnPoint::T, &DrawnPoint::u),
                               equilibrium_curves(reported, "_A_u", "Contact area against tangential displacement", u, A,
                                                  &DrawnPoint::u, &DrawnPoint::A)};
+  if (data.holds_approach())
+    figures.push_back(equilibrium_curves(reported, "_P_T", "Normal load against tangential load at held approaches", T,
+                                         {DrawnUnits::with("P", units.force_unit, "/(R G_{Ic})"), {}, {}},
+                                         &DrawnPoint::T, &DrawnPoint::P));
   const auto& models = reported.figured.models;
   // a(P) at constant T is known of circles alone
   if (std::any_of(models.begin(), models.end(), [](const ModelCurves& one) {
