@@ -39,7 +39,7 @@ class Dataset:
     P, T, A : array_like, shape (n,)
         Normal load, tangential load, contact area; or other columns of the program by their names: ``a`` (radius),
         ``a_par`` and ``a_perp``, ``psi`` with ``Gc`` or ``Gc_over_GIc``, ``G_I`` with ``G_II``, and standard errors
-        ``sigma_T``, ``sigma_A``, ... Values that are not finite, and areas <= 0, are left out and listed in
+        ``sigma_T``, ``sigma_A``, ... With ``control="approach"``, ``delta`` in place of P or beside it. Values that are not finite, and areas <= 0, are left out and listed in
         ``excluded``.
     runs : array_like of str or int, shape (n,), optional
         The loading run of each point; without a name (None, NaN), points of one load form a run.

@@ -128,7 +128,7 @@ class Fit(_Described):
         Parameters
         ----------
         P, T : array_like
-            In ``data.units["force"]``; broadcast.
+            In ``data.units["force"]``; broadcast. Where the approach is held, P is that, in ``data.units["approach"]``.
         confidence : float
 
         Returns
