@@ -42,3 +42,9 @@ def test_arrays_of_approaches_are_fitted_and_predicted(data):
     A, low, high = fit.area(8.0, [1.0, 5.0])
     assert (low < A).all() and (A < high).all() and A[1] < A[0]
     assert fit.folds(8.0)[0]["T"] > 5
+
+
+def test_areas_are_drawn_at_approaches(data):
+    pytest.importorskip("matplotlib").use("Agg")
+    lines = mixity.fit(data, "c")["c"].plot_area().lines
+    assert all(np.isfinite(line.get_ydata()).all() for line in lines) and len(lines) >= 4
