@@ -51,8 +51,9 @@ std::vector<PredictedJump> jumps(const Analysis& result, const FitResult& fit) {
   };
   for (const std::size_t run : runs)
     if (const auto jump = predict_jump_of(data, fit, result.request.options, data.curve_loads[run]))
-      list.push_back({data.curve_loads[run] * units.force_scale, scaled(jump->T, units.force_scale),
-                      scaled(jump->A, units.area_scale), largest[run] * units.force_scale});
+      list.push_back({data.curve_loads[run] * data.held_scale(), data.holds_approach(),
+                      scaled(jump->T, units.force_scale), scaled(jump->A, units.area_scale),
+                      largest[run] * units.force_scale});
   return list;
 }
 
@@ -77,8 +78,8 @@ std::string sliding(const Dataset& data, const std::vector<PredictedJump>& jumps
       loads += (loads.empty() ? "" : ", ") + rounded(jump.P, 4);
   if (loads.empty()) return {};
   return "The jumps ignore the stated shear strength: the interface reaches T = τ0 A before, and slides first, "
-         "at P = " +
-         loads + unit_text(units.force) + ".";
+         "at " +
+         std::string(data.held_name()) + " = " + loads + unit_text(data.held_unit()) + ".";
 }
 
 /// Constants without a standard error that would move the result by more than its standard error if they were 5 % off.
@@ -160,7 +161,7 @@ std::vector<std::vector<std::string>> jump_table(const Answer& answer, const Dat
   std::vector<std::vector<std::string>> rows;
   if (answer.jumps.empty()) return rows;
   const DisplayUnits& units = data.display;
-  rows.push_back({bracketed("P", units.force), "jumps at " + bracketed("T", units.force),
+  rows.push_back({bracketed(data.held_name(), data.held_unit()), "jumps at " + bracketed("T", units.force),
                   "with " + bracketed("A", units.area), "measured up to " + bracketed("T", units.force)});
   for (const PredictedJump& jump : answer.jumps)
     rows.push_back({rounded(jump.P, 4), with_error(jump.T), with_error(jump.A), rounded(jump.largest_T, 4)});

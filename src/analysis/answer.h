@@ -12,6 +12,7 @@ namespace mixity {
 /// A jump of the contact under load control, predicted at the load of a run. In the units of the file.
 struct PredictedJump {
   double P;
+  bool is_approach;  // P is the approach that is held
   Derived T, A;
   double largest_T;  // measured at this load
 };

@@ -84,8 +84,8 @@ ModelCurves curves_of(const Analysis& result, const FiguredModels& figured, cons
   }
   for (const double T : figured.shears)
     if (T > 0) curves.radii.push_back(drawn_radii(data, options, fit, T, figured.P_most));
-  const ContactModel model = model_of(fit);
-  if (model.parameters().size() == 1)
+  const ContactModel model = model_of(data, fit);
+  if (model.parameters().size() == 1 && !model.holds_approach())  // regimes are those of held loads
     curves.map = map_of(data, model, fit.parameters.front(),
                         ConstantsScale(fitted_candidate(data, model, fit, options).constants));
   return curves;

@@ -65,7 +65,8 @@ ReportedData reported_data(const Analysis& result, const std::string& stem) {
     std::vector<double> values;
     if (known != result.fits.end()) {
       data.sahli_model = known->model;
-      const auto p = fitted_candidate(result.data, model_of(*known), *known, result.request.options).parameters;
+      const auto p =
+          fitted_candidate(result.data, model_of(result.data, *known), *known, result.request.options).parameters;
       values.assign(p.begin(), p.end());
     }
     data.sahli = fit_sahli(result.data, kParabolaUpTo, data.sahli_model, values);

@@ -213,9 +213,10 @@ const std::vector<Setting>& settings() {
               "parameters to hold fixed, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
       setting("tie", WholeRequest{}, Tie{},
               "elliptic contacts: equal (one coupling for modes II and III), or one of them at a value: lambda_III=0"),
-      setting("free", WholeRequest{}, Free{},
-              "constants to fit as well, common to all loads: toughness, modulus, radius, area_scale, force_gain, "
-              "load_offset, shear_offset, area_offset, modulus_drift, toughness_drift, shape, hysteresis"),
+      setting(
+          "free", WholeRequest{}, Free{},
+          "constants to fit as well, common to all loads: toughness, modulus, radius, area_scale, force_gain, "
+          "load_offset, shear_offset, area_offset, approach_offset, modulus_drift, toughness_drift, shape, hysteresis"),
       setting("by_run", &FitOptions::by_run, ListOf<RunQuantity>{},
               "what differs from run to run by chance: toughness, modulus, area_scale, load_offset, lambda; its spread "
               "is fitted"),

@@ -68,7 +68,8 @@ InstabilityReport of_fit(const FittedContact& fitted) {
                     data.display.force_scale,
                     data.display.area_scale,
                     data.contact->displacement_unit() * 1e6,
-                    data.contact->stiffness_unit()};
+                    data.contact->stiffness_unit(),
+                    data.holds_approach() ? data.display.approach : ""};
   report.shear_strength = stated_strength(data);
   report.stated = data.metadata;
   for (const FittedParameter& one : fit.parameters)

@@ -16,7 +16,8 @@ std::string points_csv(const Dataset& data) {
   if (data.has_loads) {
     const DisplayUnits& units = data.display;
     column("curve", [&](std::size_t i) { return data.curves[data.points[i].curve]; });
-    column.quantity("P", units.force, [&](std::size_t i) { return data.points[i].P * units.force_scale; });
+    column.quantity(data.held_name(), data.held_unit(),
+                    [&](std::size_t i) { return data.points[i].P * data.held_scale(); });
     column.quantity("T", units.force, [&](std::size_t i) { return data.points[i].T * units.force_scale; });
     column.quantity("A", units.area, [&](std::size_t i) { return data.points[i].A * units.area_scale; });
   }

@@ -12,8 +12,6 @@
 
 DEFINE_string(approach, "",
               "approach of the sphere that is held in place of a load: a number, or a length such as \"2 um\"");
-DEFINE_string(normal_stiffness, "",
-              "of a held approach: stiffness of the machine, such as \"1.2 kN/m\"; without it the machine is rigid");
 
 namespace mixity::cli {
 namespace {
@@ -156,9 +154,8 @@ void predict_ellipse(const ContactModel& model) {
 }  // namespace
 
 int run_predict(const Arguments& arguments) {
-  if (is_set("normal_stiffness") && !is_set("approach")) throw UsageError("--normal_stiffness needs --approach");
   if (!arguments.empty()) {
-    if (is_set("approach")) throw UsageError("--approach needs --model in place of data: fits are of held loads");
+    if (is_set("approach")) throw UsageError("--approach needs --model in place of data; approaches of data are stated by --loads=\"3, 8 um\"");
     const FittedContact fitted("predict", arguments);
     const std::vector<Load> shears = fitted.loads_of("shear");
     fitted.print_areas([&](const Load&) { return shears; });

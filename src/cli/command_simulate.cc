@@ -21,14 +21,15 @@ int run_simulate(const Arguments& arguments) {
   const Plan plan = plan_from_flags(true, {.bytes = 300, .most = 10000000});
   const Dataset data = simulate(plan, count_from("seed", 0), count_from("index", 0));
   std::ostringstream table;
-  table << "curve,P [mN],T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]"
+  table << "curve," << (data.holds_approach() ? "delta [um]" : "P [mN]")
+        << ",T [mN],A [mm^2],sigma_T [mN],sigma_A [mm^2]"
         << (data.axes.empty() ? "" : ",a_par [mm],a_perp [mm],sigma_a_par [mm],sigma_a_perp [mm]") << '\n';
   const double force = data.display.force_scale, area = data.display.area_scale;
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& point = data.points[i];
-    table << csv_field(data.curves[point.curve]) << ',' << shortest(point.P * force) << ',' << shortest(point.T * force)
-          << ',' << shortest(point.A * area) << ',' << shortest(data.errors[i].T * force) << ','
-          << shortest(data.errors[i].A * area);
+    table << csv_field(data.curves[point.curve]) << ',' << shortest(point.P * data.held_scale()) << ','
+          << shortest(point.T * force) << ',' << shortest(point.A * area) << ',' << shortest(data.errors[i].T * force)
+          << ',' << shortest(data.errors[i].A * area);
     if (!data.axes.empty()) {
       const double mean = std::sqrt(point.A * area / pi<double>()), ratio = std::exp(0.5 * data.axes[i].q),
                    share = data.axes[i].sigma_q / std::sqrt(2.0);

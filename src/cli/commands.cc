@@ -51,8 +51,8 @@ std::span<const Command> commands() {
        "predict DATA.csv|FIT.toml [--loads=P1,P2] --shear=T1,T2,... | --model=KEY --lambda=L "
        "--load=P|--approach=D --shear=T1,T2,... [flags]",
        "Predicts the contact area at given loads, with standard errors if the model is fitted to data.",
-       with_fit_flags({"model", "lambda", "lambda_II", "lambda_III", "parameters", "loads", "shear", "approach",
-                       "normal_stiffness", "units"})},
+       with_fit_flags(
+           {"model", "lambda", "lambda_II", "lambda_III", "parameters", "loads", "shear", "approach", "units"})},
       {"curve", run_curve,
        "curve DATA.csv|FIT.toml [--loads=P1,P2] [--points=N] | --model=KEY --lambda=L --load=P|--shear=T "
        "[--points=N|--chord=E] [flags]",

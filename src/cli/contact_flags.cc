@@ -24,13 +24,17 @@ bool is_elliptic() { return means_ellipse(value_of("shape")); }
 
 OutputUnits output_units(bool of_ellipse) {
   // Mode III at the edge of an ellipse depends on Poisson's ratio, whatever states the modulus.
-  std::vector<std::string_view> others;
-  if (of_ellipse) others = {"shape", is_set("youngs_modulus") ? "" : "poisson_ratio"};
+  std::vector<std::string_view> others{"normal_stiffness"};  // may be dimensionless here
+  if (of_ellipse) others = {"normal_stiffness", "shape", is_set("youngs_modulus") ? "" : "poisson_ratio"};
   Overrides overrides = metadata_overrides(others);
   if (is_set("definition")) overrides.emplace_back("definition", value_of("definition"));
   const Metadata metadata = stated_by(overrides);
   if (of_ellipse && metadata.mode_III != ModeIII::unstated)
     throw UsageError("--mode_III is about circles; the equations of an ellipse have modes II and III where they act");
+  if (metadata.control == NormalControl::approach)
+    throw UsageError("--control=approach is about data; of a model, predict --approach=D holds the approach D");
+  if (is_set("normal_stiffness") && !is_set("approach"))
+    throw UsageError("--normal_stiffness needs --approach, which predict knows, or data with control = approach");
   require_whole_modulus(metadata, {}, overrides);
   OutputUnits units;
   units.shear_weight = metadata.shear_weight();

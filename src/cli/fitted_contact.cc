@@ -47,21 +47,26 @@ FittedContact::FittedContact(const std::string& command, const Arguments& argume
   std::vector<double> of_runs = data().curve_loads;
   std::sort(of_runs.begin(), of_runs.end(), std::greater<>());
   of_runs.erase(std::unique(of_runs.begin(), of_runs.end()), of_runs.end());
-  for (const double load : of_runs) loads_.push_back({load, load * data().display.force_scale});
+  for (const double load : of_runs) loads_.push_back({load, load * data().held_scale()});
 }
 
 std::vector<Load> FittedContact::loads_of(const std::string& flag) const {
   std::vector<Load> loads;
   const Dataset& of = data();
-  const double unit = of.contact ? of.contact->force_unit() / of.display.force_scale : 1;  // of the data, in SI
+  const bool held = flag == "loads" && of.holds_approach();
+  const double scale = held ? of.held_scale() : of.display.force_scale;
+  const double unit = !of.contact ? 1  // of the data, in SI
+                                  : (held ? of.contact->displacement_unit() : of.contact->force_unit()) / scale;
   for (const Quantity& load : quantities_from(flag)) {
     const bool bare = load.unit.text.empty();
-    if (!bare && (!of.contact || load.unit.dimension != dimension::force))
+    if (!bare && (!of.contact || load.unit.dimension != (held ? dimension::length : dimension::force)))
       throw UsageError("flag '--" + flag + "' must be " +
-                       (of.contact ? "forces such as \"3, 8 mN\"" : "numbers: the data are dimensionless"));
+                       (of.contact ? held ? "approaches such as \"3, 8 um\"" : "forces such as \"3, 8 mN\""
+                                   : "numbers: the data are dimensionless"));
     // 4 mN are shown as exactly 4 mN
-    const double shown = bare || load.unit.text == of.display.force ? load.value : load.si() / unit;
-    loads.push_back({shown / of.display.force_scale, shown});
+    const double shown =
+        bare || load.unit.text == (held ? of.held_unit() : of.display.force) ? load.value : load.si() / unit;
+    loads.push_back({shown / scale, shown});
   }
   return loads;
 }
@@ -84,8 +89,8 @@ std::vector<Load> FittedContact::shears_to_the_jump(const Load& P, std::size_t p
 
 void FittedContact::print_areas(const std::function<std::vector<Load>(const Load& P)>& shears) const {
   const DisplayUnits& units = data().display;
-  std::cout << bracketed("P", units.force) << ',' << bracketed("T", units.force) << ',' << bracketed("A", units.area)
-            << ',' << bracketed("A_stderr", units.area) << ",status";
+  std::cout << bracketed(data().held_name(), data().held_unit()) << ',' << bracketed("T", units.force) << ','
+            << bracketed("A", units.area) << ',' << bracketed("A_stderr", units.area) << ",status";
   const bool elliptic = ContactModel::find(fit().model).value().is_elliptic();
   const std::string length = units.area.empty() ? "" : "mm";
   const double length_scale = data().contact ? data().contact->length_unit() / 1e-3 : 1;

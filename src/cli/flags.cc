@@ -23,7 +23,7 @@ DEFINE_string(
     load, "",
     "normal load P, compression positive: a number, or a force such as \"3 mN\" if the contact has dimensions; for a "
     "data file, the load of all points if no column states it");
-DEFINE_string(loads, "", "normal loads, such as \"7.7,3.8 mN\"; for import, one for each data set, in order");
+DEFINE_string(loads, "", "normal loads, such as \"7.7,3.8 mN\", or held approaches, \"3,8 um\"; for import, one for each data set, in order");
 DEFINE_string(load_range, "-4,40", "smallest and largest normal load: \"0.5, 10 mN\", or dimensionless");
 DEFINE_string(points, "201",
               "number of points of a curve, evenly spaced in phi; for design and simulate, points of a run, at equal "

@@ -37,7 +37,9 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   plan.constants = stated_by(constants);
   if (is_set("loads"))
     for (const Quantity& load : quantities_from("loads")) {
-      if (load.unit.dimension != dimension::force) throw refused("loads", "a load needs a unit such as mN");
+      const bool held = plan.constants.control == NormalControl::approach;
+      if (load.unit.dimension != (held ? dimension::length : dimension::force))
+        throw refused("loads", held ? "a held approach needs a unit such as um" : "a load needs a unit such as mN");
       plan.loads.push_back(load.si());
     }
   else if (needs_loads)
@@ -49,6 +51,8 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   plan.sigma_T = error_from("sigma_T");
   plan.sigma_A = error_from("sigma_A");
   Plan whole = plan;
+  if (!needs_loads && plan.constants.control == NormalControl::approach)
+    throw UsageError("--control=approach: held loads are planned here; experiments at held approaches are simulated");
   if (whole.loads.empty()) whole.loads = {0};  // a dummy load for the check, which needs one
   if (const std::string problem = problem_of(whole); !problem.empty()) throw UsageError(problem);
   return plan;

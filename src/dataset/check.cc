@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -47,6 +48,16 @@ void check_usable(const Dataset& data, Lines& odd) {
     odd.push_back("units: " + std::to_string(below.points) + " of " + std::to_string(data.rows) +
                   " areas do not exceed that of Hertz at their load; a unit of A, P, radius, modulus or toughness is "
                   "probably off by a power of ten");
+}
+
+bool in_contact(const Dataset& data, double P) {
+  return data.holds_approach() ? HeldApproach{P, data.compliance}.unsheared().has_value() : above_pull_off(P) >= 0;
+}
+/// NaN without a contact.
+double unsheared_radius(const Dataset& data, double P) {
+  if (!data.holds_approach()) return jkr_radius(P);
+  const auto radii = HeldApproach{P, data.compliance}.unsheared();
+  return radii ? radii->stable : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// A fit that needs standard errors rejects a file that states them only for some points.
@@ -165,18 +176,21 @@ void check_loads(const Dataset& data, const Curves& curves, Lines& odd) {
     if (curve.points < 3)
       odd.push_back("run " + curve.name + " has only " + std::to_string(curve.points) + " usable point" +
                     (curve.points == 1 ? "" : "s"));
-    else if (!curve.area_over_jkr && above_pull_off(curve.P) >= 0)
+    else if (!curve.area_over_jkr && in_contact(data, curve.P))
       odd.push_back("run " + curve.name + " has no point near T = 0 to compare with JKR");
-    if (above_pull_off(curve.P) < 0)
+    if (data.holds_approach() && !in_contact(data, curve.P))
+      odd.push_back("run " + curve.name +
+                    ": the approach lies below that of JKR pull-off; is its zero right (approach_offset)?");
+    if (!data.holds_approach() && above_pull_off(curve.P) < 0)
       odd.push_back("run " + curve.name +
                     ": the load lies below the JKR pull-off load, -3 pi/2 R G_Ic; if the file has compression as "
                     "negative, its P are to be multiplied by -1");
   }
-  const double unit = data.display.force_scale;
+  const double unit = data.held_scale();
   for (const CurveSummary& curve : curves)
     if (curve.P_max - curve.P_min > 0.05 * std::max({std::abs(curve.P_min), std::abs(curve.P_max), 1.0}))
-      odd.push_back("run " + curve.name + ": the load varies from " + rounded(curve.P_min * unit, 4) + " to " +
-                    rounded(curve.P_max * unit, 4) + " within the run");
+      odd.push_back("run " + curve.name + ": the " + data.held_word() + " varies from " +
+                    rounded(curve.P_min * unit, 4) + " to " + rounded(curve.P_max * unit, 4) + " within the run");
   if (data.curves.size() == 1)
     odd.push_back("there is only one load, so a dependence of lambda on load cannot be detected");
 }
@@ -218,9 +232,9 @@ std::vector<CurveSummary> summarise_curves(const Dataset& data) {
     if (point.shear() < unsheared[point.curve]->shear()) unsheared[point.curve] = &point;
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
-    if (unsheared[i] && above_pull_off(curves[i].P) >= 0 &&
+    if (unsheared[i] && in_contact(data, curves[i].P) &&
         unsheared[i]->shear() <= 0.1 * std::max(-curves[i].T_min, curves[i].T_max))
-      curves[i].area_over_jkr = unsheared[i]->A / area_from_radius(jkr_radius(unsheared[i]->P));
+      curves[i].area_over_jkr = unsheared[i]->A / area_from_radius(unsheared_radius(data, unsheared[i]->P));
   return curves;
 }
 

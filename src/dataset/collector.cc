@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::string_view kNegativeAngle = "psi < 0 beside positive phase angles";
 
-std::string name_by_load(double load, const DisplayUnits& units) {
-  return "P=" + rounded(load * units.force_scale, 6) + unit_text(units.force);
+std::string name_by_load(double load, const Dataset& data) {
+  return std::string(data.held_name()) + "=" + rounded(load * data.held_scale(), 6) + unit_text(data.held_unit());
 }
 
 /// Sets the load of each run to the mean over its points, exactly if all are equal.
@@ -50,7 +50,7 @@ std::size_t Runs::of(const std::optional<std::string_view>& name, const Point& p
       (name ? *name == keys_[last_].first : load == last_load_))
     return last_;
   last_load_ = load;
-  const Key key = name ? Key{*name, true} : data.has_loads ? Key{name_by_load(load, data.display), false} : Key{};
+  const Key key = name ? Key{*name, true} : data.has_loads ? Key{name_by_load(load, data), false} : Key{};
   const auto [found, is_new] = index_.try_emplace(key, keys_.size());
   if (is_new) {
     keys_.push_back(key);
@@ -61,7 +61,7 @@ std::size_t Runs::of(const std::optional<std::string_view>& name, const Point& p
 
 void Runs::reverse_loads_in_names(const Dataset& data) {
   for (std::size_t i = 0; i < keys_.size(); ++i)
-    if (!keys_[i].second) keys_[i].first = name_by_load(0 - loads_[i], data.display);
+    if (!keys_[i].second) keys_[i].first = name_by_load(0 - loads_[i], data);
 }
 
 std::vector<std::string> Runs::names() const {
@@ -118,6 +118,7 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
   if (has_errors_) data_.errors.push_back(read.errors);
   if (data_.has_energies) data_.energies.push_back(read.energies);
   if (has_axes_) data_.axes.push_back(read.axes);
+  if (data_.holds_approach() && columns().has(ColumnId::P)) data_.loads_beside.push_back(read.load);
 }
 
 void Collector::leave_out(std::size_t line, std::string_view reason) {
@@ -159,7 +160,7 @@ void Collector::take_tables_as_runs() {
   for (std::size_t i = 0; i < data_.points.size(); ++i) {
     while (k + 1 < tables_.size() && i >= tables_[k + 1].point) ++k;
     const std::string name = by_title  ? tables_[k].title
-                             : by_load ? name_by_load(data_.points[i].P, data_.display)
+                             : by_load ? name_by_load(data_.points[i].P, data_)
                                        : "table " + std::to_string(k + 1);
     data_.points[i].curve = static_cast<Point::Index>(runs_.of(name, data_.points[i], data_));
   }
@@ -220,7 +221,8 @@ void Collector::finish() {
   if (errors_in_fields_) data_.notes.push_back("standard errors: stated in the fields of the values");
   if (comments_ > 0) data_.notes.push_back("passed over as comments: " + passed_over);
   if (tables_are_runs()) take_tables_as_runs();
-  const bool reads_loads = columns().has(ColumnId::P), is_negative = reads_loads && compression_is_negative(data_);
+  const bool reads_loads = columns().has(ColumnId::P) && !data_.holds_approach(),
+             is_negative = reads_loads && compression_is_negative(data_);
   if (is_negative) runs_.reverse_loads_in_names(data_);
   data_.curves = runs_.names();
   finish_angles();

@@ -65,7 +65,7 @@ class PointsOfRows : public UseOfRows {
 
 /// Whether neither a column nor an option states loads.
 bool lacks_loads(const TableRows& rows, const ColumnRules& rules) {
-  if (!rows.table() || rules.load_stated) return false;
+  if (!rows.table() || rules.load_stated || rules.approach_held) return false;
   const auto columns = number_columns({}, rows.table()->headings, rules);
   return std::none_of(columns.begin(), columns.end(),
                       [](const NamedColumn& column) { return column.id == ColumnId::P || column.id >= ColumnId::psi; });
@@ -135,6 +135,7 @@ Point::Index line_of_point(const std::string& path, std::size_t line) {
 
 double Dataset::offset_unit(Constant offset) const {
   if (!contact) return 0;
+  if (offset == kApproachOffset) return contact->displacement_unit();
   return offset == kAreaOffset ? contact->area_unit() : contact->force_unit();
 }
 
@@ -142,11 +143,12 @@ Constants Dataset::stated_constants() const {
   Constants stated{};
   if (!has_loads) return stated;
   stated.shear_weight = metadata.shear_weight();
+  stated.approach_held = holds_approach();
   if (metadata.area_scale) stated[kAreaScale] = std::log(*metadata.area_scale);
   if (metadata.force_gain) stated[kForceGain] = std::log(*metadata.force_gain);
   for (const auto& [constant, value] :
        {std::pair(kLoadOffset, metadata.load_offset), std::pair(kShearOffset, metadata.shear_offset),
-        std::pair(kAreaOffset, metadata.area_offset)})
+        std::pair(kAreaOffset, metadata.area_offset), std::pair(kApproachOffset, metadata.approach_offset)})
     if (value && contact) stated[constant] = *value / offset_unit(constant);
   return stated;
 }
@@ -202,9 +204,11 @@ Dataset corrected(Dataset data) {
   const ConstantsScale by(readings);
   for (std::size_t i = 0; i < data.points.size(); ++i) data.points[i] = data.corrected(i, by);
   for (double& load : data.curve_loads) load = by.load(load);
+  for (PointAxes& load : data.loads_beside) load.q = by.load_beside(load.q);
   Metadata& metadata = data.metadata;
-  for (std::optional<double>* const constant : {&metadata.area_scale, &metadata.force_gain, &metadata.load_offset,
-                                                &metadata.shear_offset, &metadata.area_offset})
+  for (std::optional<double>* const constant :
+       {&metadata.area_scale, &metadata.force_gain, &metadata.load_offset, &metadata.shear_offset,
+        &metadata.area_offset, &metadata.approach_offset})
     constant->reset();
   return data;
 }

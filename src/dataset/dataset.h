@@ -19,12 +19,14 @@
 #include "dataset/constants.h"
 #include "dataset/metadata.h"
 #include "mechanics/contact.h"
+#include "mechanics/held_approach.h"
 #include "mechanics/measurement.h"
 #include "mechanics/states.h"
 
 namespace mixity {
 
-/// A usable point. P, T, A are dimensionless, and zero if the data set has no loads. T has its sign from the file,
+/// A usable point. P, T, A are dimensionless, and zero if the data set has no loads. P is the approach where that is
+/// held (Dataset::holds_approach). T has its sign from the file,
 /// except in reversed runs. A negative T is noise about zero.
 struct Point {
   using Index = std::uint32_t;  // of files with millions of rows, each byte of a point counts
@@ -100,6 +102,8 @@ struct DisplayUnits {
   double force_scale = 1, area_scale = 1, energy_scale = 1;
   std::string length{};  // of u
   double length_scale = 1;
+  std::string approach{};  // of a held approach, as written in the header
+  double approach_scale = 1;
 };
 
 /// One of several files that make a data set.
@@ -125,6 +129,8 @@ struct Dataset {
   std::vector<PointEnergies> energies;    // per point, if the data are energies
   std::vector<PointAxes> axes;            // per point, if the file has the axes of elliptic contacts
   std::vector<PullOffReading> pull_off;   // loads of pull-off, which belong to no run
+  std::vector<PointAxes> loads_beside;    // per point, loads measured beside a held approach, in q; empty: none
+  double compliance = 0;                  // dimensionless, of the machine that holds an approach; 0: rigid
   std::vector<Excluded> excluded;
   std::vector<std::string> curves;   // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads
@@ -150,6 +156,29 @@ struct Dataset {
     point.A = by.true_area(point.A);
     return point;
   }
+  /// Whether the approach is held, which Point::P and curve_loads then are, in place of the load.
+  bool holds_approach() const { return has_loads && metadata.control == NormalControl::approach; }
+  /// What is held, for texts, with its unit: value in file = dimensionless * held_scale().
+  const char* held_name() const { return holds_approach() ? "delta" : "P"; }
+  const char* held_word() const { return holds_approach() ? "approach" : "load"; }
+  const std::string& held_unit() const { return holds_approach() ? display.approach : display.force; }
+  double held_scale() const { return holds_approach() ? display.approach_scale : display.force_scale; }
+  /// The contact at an approach, with the machine's compliance under these constants.
+  HeldApproach held_at(double approach, const ConstantsScale& by) const {
+    return {approach, compliance * by.compliance};
+  }
+  /// The model for these data: that of a held load, or of a held approach.
+  ContactModel under_control(const ContactModel& model) const {
+    return holds_approach() ? model.at_held_approach(compliance) : model;
+  }
+  /// The same under other constants, which change the machine's dimensionless compliance.
+  ContactModel under_control(const ContactModel& model, const ConstantsScale& by) const {
+    return holds_approach() ? model.at_held_approach(compliance * by.compliance) : model;
+  }
+  /// The load at a corrected point.
+  double load_at(const Point& point, const ConstantsScale& by) const {
+    return holds_approach() ? held_at(point.P, by).load(radius_from_area(point.A)) : point.P;
+  }
   /// Toughness and phase angle of point i, corrected by the stated constants; null if its area does not exceed that of
   /// Hertz (kNoPhaseAngle).
   std::optional<ToughnessPoint> toughness(std::size_t i) const {
@@ -159,7 +188,7 @@ struct Dataset {
   std::optional<ToughnessPoint> toughness(std::size_t i, const ConstantsScale& by) const {
     if (!has_loads) return converted[i];
     const Point point = corrected(i, by);
-    return toughness_of_area(point.P, point.T, point.A);
+    return toughness_of_area(load_at(point, by), point.T, point.A);
   }
   /// -1 for a run that was reversed, else 1.
   double sign_of_shear(std::size_t run) const { return !shear_reversed.empty() && shear_reversed[run] ? -1 : 1; }

@@ -10,8 +10,11 @@ namespace mixity {
 DrawnUnits::DrawnUnits(const Dataset& data)
     : force(data.display.force_scale),
       area(data.display.area_scale),
+      held(data.held_scale()),
       force_unit(data.display.force),
-      area_unit(data.display.area) {
+      area_unit(data.display.area),
+      held_unit(data.held_unit()),
+      held_name(data.held_name()) {
   if (!data.contact) return;
   displacement_unit = "µm";
   displacement = data.contact->displacement_unit() * 1e6;
@@ -37,7 +40,7 @@ std::string point_hover(const Dataset& data, std::size_t i) {
   if (!data.curves[point.curve].empty()) text += ", run " + data.curves[point.curve];
   text += ": ";
   if (data.has_loads)
-    text += "P = " + with_unit(point.P * units.force_scale, 5, units.force) +
+    text += std::string(data.held_name()) + " = " + with_unit(point.P * data.held_scale(), 5, data.held_unit()) +
             ", T = " + with_unit(point.T * units.force_scale, 5, units.force) +
             ", A = " + with_unit(point.A * units.area_scale, 5, units.area);
   if (const auto toughness = data.toughness(i))

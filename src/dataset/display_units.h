@@ -12,17 +12,18 @@ namespace mixity {
 struct DrawnUnits {
   explicit DrawnUnits(const Dataset& data);
 
-  double force, area, radius = 1, displacement = 1;
-  std::string force_unit, area_unit, radius_unit, displacement_unit;
+  double force, area, held, radius = 1, displacement = 1;  // held: of what is held, load or approach
+  std::string force_unit, area_unit, held_unit, radius_unit, displacement_unit, held_name;
 
   // Axis labels: quantity and unit
-  std::string P() const { return with("P", force_unit, "/(R G_{Ic})"); }
+  std::string P() const {
+    return held_name == "P" ? with("P", force_unit, "/(R G_{Ic})") : with("δ", held_unit, " ξ^2/R");
+  }
   std::string T() const { return with("T", force_unit, "/(R G_{Ic})"); }
   std::string A() const { return with("A", area_unit, " ξ^2/R^2"); }
   std::string a() const { return with("a", radius_unit, " ξ/R"); }
   std::string u() const { return with("u", displacement_unit, " ξ^2/R"); }
 
- private:
   static std::string with(const std::string& quantity, const std::string& unit, const std::string& dimensionless) {
     return unit.empty() ? quantity + dimensionless : quantity + " [" + unit + "]";
   }

@@ -111,6 +111,10 @@ void set_display(const Columns& columns, Dataset& data) {
     display.area = length->unit.text + "^2";
     display.area_scale = data.contact->area_unit() / (length->unit.factor * length->unit.factor);
   }
+  if (const Column* const approach = columns.find(ColumnId::delta); approach && data.holds_approach()) {
+    display.approach = approach->unit.text;
+    display.approach_scale = data.contact->displacement_unit() / approach->unit.factor;
+  }
   if (!in_range(display.force_scale) || !in_range(display.area_scale))
     throw InputError(data.path, "the units of its columns are out of range beside radius, modulus and toughness");
 }
@@ -124,6 +128,24 @@ void take_toughness_unit(const Columns& columns, const std::string& metadata_pat
   if (data.toughness_known) units.ratio = demand({{"toughness", toughness}}, data.path, metadata_path)[0];
   data.display.energy = Gc->unit.text;
   data.display.energy_scale = units.ratio / Gc->unit.factor;
+}
+
+/// Throws InputError if constants of a held approach are stated for other data.
+void require_control(const Columns& columns, const Dataset& data) {
+  const Metadata& stated = data.metadata;
+  const auto refuse = [&](const std::string& message) { throw InputError(data.path, message); };
+  if (stated.control == NormalControl::approach && !columns.holds_loads())
+    refuse("control is about what is held while a contact is sheared (columns delta, T, A); leave it out");
+  if (stated.control == NormalControl::approach && (stated.load || !stated.load_from.empty()))
+    refuse(
+        "a load is stated beside control = \"approach\": one of them is held; a load that was measured is a column P");
+  if (stated.control == NormalControl::approach && stated.normal_stiffness &&
+      columns.find(ColumnId::T)->unit.dimension == dimension::none)
+    refuse("normal_stiffness has a unit, and the columns have none");
+  if (stated.control == NormalControl::approach) return;
+  for (const auto& [name, value] :
+       {std::pair("normal_stiffness", stated.normal_stiffness), std::pair("approach_offset", stated.approach_offset)})
+    if (value) refuse(std::string(name) + " is about a held approach: state control = \"approach\", or leave it out");
 }
 
 /// For data with loads: sets the contact.
@@ -142,6 +164,8 @@ void take_contact(const Columns& columns, const std::string& metadata_path, Poin
   units.force = data.contact->force_unit();
   units.length = data.contact->length_unit();
   units.displacement = data.contact->displacement_unit();
+  if (stated.normal_stiffness && data.holds_approach())
+    data.compliance = data.contact->stiffness_unit() / *stated.normal_stiffness;
   if (!data.contact->usable()) throw InputError(data.path, "radius, modulus and toughness together are out of range");
 }
 
@@ -196,6 +220,7 @@ void require_shear(const Columns& columns, const std::vector<Heading>& headings,
 PointUnits take_header(const Columns& columns, const std::string& metadata_path, Dataset& data) {
   data.has_loads = columns.holds_loads();
   data.has_energies = columns.holds_energies();
+  require_control(columns, data);
   data.ignored_columns = columns.ignored;
   PointUnits units;
   if (data.has_loads)

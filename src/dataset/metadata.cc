@@ -15,7 +15,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 31> kFields{{
+constexpr std::array<MetadataField, 34> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -35,6 +35,8 @@ constexpr std::array<MetadataField, 31> kFields{{
      dimension::force, "0 +/- 0.5 mN"},
     {"area_offset", "to be added to readings of A, such as \"0 +/- 0.01 mm^2\"", true, &Metadata::area_offset,
      dimension::area, "0 +/- 0.01 mm^2"},
+    {"approach_offset", "to be added to readings of delta, such as \"0 +/- 0.2 um\"", true, &Metadata::approach_offset,
+     dimension::length, "0 +/- 0.2 um"},
     {"area_scale", "what readings of A are to be multiplied by, such as \"1 +/- 2%\"", true, &Metadata::area_scale,
      dimension::none, "1 +/- 2%"},
     {"force_gain", "what readings of P and T are to be multiplied by, such as \"1 +/- 1%\"", true,
@@ -51,6 +53,13 @@ constexpr std::array<MetadataField, 31> kFields{{
      "mode III at the edge of the contact: half, the same all round (default), or averaged, as in Johnson (1996) and "
      "Waters & Guduru (2010); with poisson_ratio, else 0.5",
      true},
+    {"control",
+     "what is held in the normal direction: load (default), or approach, of which a column delta is read in place of P "
+     "or beside it",
+     true},
+    {"normal_stiffness",
+     "of a held approach: stiffness of the machine, such as \"1.2 kN/m\"; without it the machine is rigid", true,
+     &Metadata::normal_stiffness, dimension::energy_per_area, "1.2 kN/m"},
     {"provenance", "measured, digitised or reconstructed", true},
     {"source", "where the data come from", true},
     {"note", "a note on the data", true},
@@ -188,6 +197,8 @@ std::string mode_III_text(const Metadata& metadata) {
                                                          : ")");
 }
 
+std::string_view to_string(NormalControl control) { return control == NormalControl::approach ? "approach" : "load"; }
+
 double Metadata::kappa() const {
   if (mode_III != ModeIII::averaged) return 1;
   const double nu = poisson_ratio.value_or(kIncompressible);
@@ -228,6 +239,11 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
     for (const auto one : {ModeIII::half, ModeIII::averaged})
       if (text == to_string(one)) return metadata.mode_III = one, "";
     return given + "it must be half or averaged";
+  }
+  if (name == "control") {
+    for (const auto one : {NormalControl::load, NormalControl::approach})
+      if (text == to_string(one)) return metadata.control = one, "";
+    return given + "it must be load or approach";
   }
   if (name == "columns") return read_mapping(text, metadata.columns);
   if (name == "sheet") return metadata.sheet = text, "";
@@ -272,6 +288,7 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
   } else if (!name.ends_with("_offset") && name != "load" && !(value > 0)) {
     return given + "it must be positive";
   }
+  if (name == "normal_stiffness" && uncertain->standard_error > 0) return given + "it is taken as exact";
   if (!field->of_experiment && uncertain->standard_error > 0)
     return given + (name == "pixel" ? "its error belongs in area_scale, which has twice that of a length: area_scale = "
                                       "\"1 +/- 2%\""
@@ -306,6 +323,11 @@ std::string add_constants(const Metadata& more, Metadata& constants) {
       return "states another mode_III than a file before it; constants are those of the whole experiment";
     constants.mode_III = more.mode_III;
   }
+  if (more.control != NormalControl::unstated) {
+    if (constants.control != NormalControl::unstated && constants.control != more.control)
+      return "states another control than a file before it; one data set has one";
+    constants.control = more.control;
+  }
   constants.provenance = std::max(constants.provenance, more.provenance);
   if (constants.source.empty()) constants.source = more.source;
   if (constants.note.empty()) constants.note = more.note;
@@ -321,6 +343,7 @@ std::optional<std::string> stated_text(const Metadata& metadata, std::string_vie
   }
   if (name == "provenance" && metadata.provenance != Provenance::unstated) text = to_string(metadata.provenance);
   if (name == "mode_III" && metadata.mode_III != ModeIII::unstated) text = to_string(metadata.mode_III);
+  if (name == "control" && metadata.control != NormalControl::unstated) text = to_string(metadata.control);
   if (name == "decimal" && metadata.decimal != 0) text = metadata.decimal;
   if (name == "columns")
     for (const auto& [quantity, heading] : metadata.columns)
@@ -336,7 +359,7 @@ std::optional<std::string> stated_text(const Metadata& metadata, std::string_vie
 Overrides constants_as_stated(const Metadata& metadata) {
   Overrides list;
   for (const MetadataField& field : kFields)
-    if ((field.number && field.of_experiment) || field.name == "mode_III")
+    if ((field.number && field.of_experiment) || field.name == "mode_III" || field.name == "control")
       if (const auto text = stated_text(metadata, field.name)) list.emplace_back(field.name, *text);
   return list;
 }
@@ -370,7 +393,8 @@ std::optional<std::size_t> number_of_table(const Metadata& metadata) {
 }
 
 ColumnRules rules_of(const Metadata& metadata, Inputs& inputs) {
-  ColumnRules rules{metadata.columns, nullptr, metadata.load || !metadata.load_from.empty(), metadata.pixel};
+  ColumnRules rules{metadata.columns, nullptr, metadata.load || !metadata.load_from.empty(),
+                    metadata.control == NormalControl::approach, metadata.pixel};
   if (!metadata.headings.empty())
     rules.names = std::make_shared<Vocabulary>(Vocabulary::with(metadata.headings, inputs));
   return rules;

@@ -28,6 +28,11 @@ enum class ModeIII { unstated, half, averaged };
 /// "half" where it is unstated.
 std::string_view to_string(ModeIII convention);
 
+/// What is held while a contact is sheared: its normal load, or the approach of the sphere.
+enum class NormalControl { unstated, load, approach };
+/// "load" where it is unstated.
+std::string_view to_string(NormalControl control);
+
 /// Shown in every output of reconstructed data.
 inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a model, not measured. Recovering lambda from them tests the "
@@ -46,6 +51,8 @@ struct Metadata {
   std::optional<double> shear_strength;                 // tau0, Pa, > 0
   std::optional<double> load_offset, shear_offset;      // N
   std::optional<double> area_offset;                    // m^2
+  std::optional<double> approach_offset;                // m
+  std::optional<double> normal_stiffness;               // N/m, > 0: of the machine that holds an approach
   std::optional<double> area_scale, force_gain;         // > 0
   std::optional<double> modulus_drift, toughness_drift, shape, hysteresis;  // 0; they only name their errors
   std::optional<double> pixel;                                              // m, the side of a pixel, > 0
@@ -55,6 +62,7 @@ struct Metadata {
   std::map<std::string, double, std::less<>> standard_errors;               // by the name of a constant, in its unit
   Provenance provenance = Provenance::unstated;
   ModeIII mode_III = ModeIII::unstated;
+  NormalControl control = NormalControl::unstated;
   std::string source, note;
   // How to read the file.
   std::map<std::string, std::string> columns;  // quantity -> heading

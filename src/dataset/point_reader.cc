@@ -7,6 +7,7 @@
 
 #include "base/input_error.h"
 #include "dataset/energies.h"
+#include "mechanics/held_approach.h"
 #include "mechanics/measurement.h"
 
 namespace mixity {
@@ -80,6 +81,7 @@ PointReader::PointReader(const std::string& metadata_path, const std::vector<Hea
   require_units(columns_, headings, load_.has_value(), metadata_path, data);
   require_shear(columns_, headings, data);
   units_ = take_header(columns_, metadata_path, data);
+  compliance_ = data.compliance;
 }
 
 std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) {
@@ -107,7 +109,11 @@ std::string_view PointReader::read(const CsvRow& row, ReadPoint& point) {
 std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const {
   const ContactLengths* const lengths = columns_.lengths();
   double in_T = kNotStated, in_A = kNotStated;  // errors
-  const double P = load_ ? *load_ : number(ColumnId::P), T = number.with_error(ColumnId::T, ColumnId::sigma_T, in_T);
+  const bool approach = columns_.has(ColumnId::delta);
+  const double P = approach ? number(ColumnId::delta)
+                   : load_  ? *load_
+                            : number(ColumnId::P),
+               T = number.with_error(ColumnId::T, ColumnId::sigma_T, in_T);
   double area = 0;
   if (lengths && !lengths->round()) {
     if (const std::string_view why = read_axes(*lengths, number, area, in_A, read.axes); !why.empty()) return why;
@@ -119,14 +125,22 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
   if (by_radius && radius <= 0) return lengths->one == ColumnId::a ? "a <= 0" : "diameter <= 0";
   if (!by_radius && area <= 0) return "A <= 0";
   Point& point = read.point;
-  point.P = P / units_.force + 0.0;  // -0 becomes 0
+  point.P = P / (approach ? units_.displacement : units_.force) + 0.0;  // -0 becomes 0
   point.T = T / units_.force;
   const double area_unit = units_.length * units_.length;
   point.A = by_radius ? area_from_radius(radius / units_.length) : area / area_unit;
   if (!(std::abs(point.P) <= kMostQuantity) || !(point.shear() <= kMostQuantity) || !in_range(point.A))
-    return "P, T or A is out of range";
-  const double a = radius_from_area(point.A), y = edge_load(a, point.P);
+    return approach ? "delta, T or A is out of range" : "P, T or A is out of range";
+  const double a = radius_from_area(point.A),
+               y = approach ? HeldApproach{point.P, compliance_}.edge_load(a).value : edge_load(a, point.P);
   if (y > 0 && !in_range(toughness_ratio(y, point.T, a))) return kOutOfRangeRatio;
+  if (approach && columns_.has(ColumnId::P)) {
+    double in_P = kNotStated, sigma_P = kNotStated;
+    read.load.q = number.with_error(ColumnId::P, ColumnId::sigma_P, in_P) / units_.force;
+    if (!(std::abs(read.load.q) <= kMostQuantity)) return "P is out of range";
+    number.standard_error(ColumnId::sigma_P, read.load.q, units_.force, in_P, sigma_P);
+    if (sigma_P > 0) read.load.sigma_q = sigma_P;
+  }
   number.standard_error(ColumnId::sigma_T, point.T, units_.force, in_T, read.errors.T);
   number.standard_error(ColumnId::sigma_A, point.A, area_unit, in_A, read.errors.A);
   read.states_errors = in_T >= 0 || in_A >= 0;

@@ -13,7 +13,7 @@
 
 namespace mixity {
 
-/// The units of points in SI: force, length, toughness ratio and tangential displacement; 1 for dimensionless data.
+/// The units of points in SI: force, length, toughness ratio, and displacement or approach; 1 for dimensionless data.
 struct PointUnits {
   double force = 1, length = 1, ratio = 1, displacement = 1;
 };
@@ -41,7 +41,7 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  PointAxes axes;
+  PointAxes axes, load;  // load: measured beside a held approach
   PullOffReading pull_off;
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign
@@ -75,6 +75,7 @@ class PointReader {
   Columns columns_;
   ChannelClocks clocks_;
   PointUnits units_;
+  double compliance_ = 0;
 };
 
 }  // namespace mixity

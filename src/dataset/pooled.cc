@@ -79,6 +79,8 @@ void add(Dataset part, const RunFile& file, DistinctNames& names, Dataset& whole
     throw InputError(part.path, "is dimensionless where others have units, or the other way round");
   const std::size_t first_line = whole.files.back().first_line, first_run = whole.curves.size(),
                     runs = part.curves.size(), points = part.points.size();
+  if (whole.holds_approach() && part.contact && part.contact->radius != whole.contact->radius)
+    throw InputError(part.path, "is on another sphere: runs under a held approach are of one sphere");
   const std::string name = file.name.empty() ? part.name : printable(file.name, std::string::npos);
   note_sphere(part, name, whole);
   for (const std::string& run : part.curves) {
@@ -89,6 +91,7 @@ void add(Dataset part, const RunFile& file, DistinctNames& names, Dataset& whole
   append(part.shear_reversed, runs, whole.shear_reversed, first_run);
   append(part.errors, points, whole.errors, whole.points.size());
   append(part.axes, points, whole.axes, whole.points.size());
+  append(part.loads_beside, points, whole.loads_beside, whole.points.size());
   for (Point& point : part.points) {
     point.line = line_of_point(part.path, first_line + point.line);
     point.curve += static_cast<Point::Index>(first_run);
@@ -179,6 +182,7 @@ Dataset load_pooled(const std::vector<RunFile>& files, const Overrides& override
       whole.reading = part.reading;
       whole.taken = part.taken;
       whole.mapping = part.mapping;
+      whole.compliance = part.compliance;
     }
     std::size_t last = 0;
     for (const Point& point : part.points) last = std::max<std::size_t>(last, point.line);

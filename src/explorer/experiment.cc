@@ -23,7 +23,7 @@ Json runs_of(const Dataset& data) {
   for (std::size_t run = 0; run < by_run.size(); ++run)
     runs.push_back(
         {{"name", data.curves[run]},
-         {"P", data.curve_loads[run] * data.display.force_scale},
+         {"P", data.curve_loads[run] * data.held_scale()},
          {"lines", list_of(by_run[run], [&](std::size_t i) { return data.points[i].line; })},
          {"T", list_of(by_run[run], [&](std::size_t i) { return data.points[i].T * data.display.force_scale; })},
          {"A", list_of(by_run[run], [&](std::size_t i) { return data.points[i].A * data.display.area_scale; })}});
@@ -62,7 +62,7 @@ Json model_of(const Analysis& result, const FitResult& fit, bool best) {
     for (const DrawnPoint& q : curve.points) (q.stable && unstable.empty() ? stable : unstable).push_back({q.T, q.A});
     for (const DrawnFold& fold : curve.folds)
       if (fold.control == Control::Kind::load) folds.push_back({fold.T, fold.A});
-    runs.push_back({{"P", data.curve_loads[run] * data.display.force_scale},
+    runs.push_back({{"P", data.curve_loads[run] * data.held_scale()},
                     {"curve", stable},
                     {"unstable", unstable},
                     {"band", best ? band_of(result, fit, run, 1.4 * largest) : Json::array()},

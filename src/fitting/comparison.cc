@@ -90,7 +90,7 @@ std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& 
   constexpr std::size_t kMostRuns = 200;
   if (!data.has_loads || data.curves.size() < 2 || data.curves.size() > kMostRuns || !has_all_values(whole))
     return std::nullopt;
-  const ContactModel model = model_of(whole);
+  const ContactModel model = model_of(data, whole);
   const auto runs = runs_with_points(data);
   std::vector<std::optional<LeftOut::Run>> left_out(runs.size());
   std::vector<double> squares(runs.size());

@@ -53,6 +53,8 @@ struct ScaledSlopes {
         return by_T * scale.shear_force;
       case kAreaOffset:
         break;
+      case kApproachOffset:
+        return 0;
       case kModulusDrift:
         return place.order * 2.0 / 3 * by_area;
       case kToughnessDrift:
@@ -66,6 +68,38 @@ struct ScaledSlopes {
   }
 };
 
+/// The same where the approach is held: by_P is the derivative in the approach, which by_force does not contain.
+struct HeldSlopes {
+  ScaledSlopes of_forces;
+  double by_approach, by_compliance;  // in the logarithms of the approach and of the machine's compliance
+  double by_load;                     // in a load that was measured, too
+
+  double in(Constant constant, const ConstantsScale& scale, const PointPlace& place) const {
+    const double by_toughness = (by_compliance - 2 * by_approach) / 3,
+                 by_modulus = 2.0 / 3 * (by_approach + by_compliance);
+    switch (constant) {
+      case kLoadOffset:
+        return by_load * scale.force;
+      case kApproachOffset:
+        return of_forces.by_P * scale.held;
+      case kToughness:
+        return of_forces.in(constant, scale, place) + by_toughness;
+      case kModulus:
+        return of_forces.in(constant, scale, place) + by_modulus;
+      case kRadius:
+        return of_forces.in(constant, scale, place) + (2 * by_compliance - by_approach) / 3;
+      case kModulusDrift:
+        return of_forces.in(constant, scale, place) + place.order * by_modulus;
+      case kToughnessDrift:
+        return of_forces.in(constant, scale, place) + place.order * by_toughness;
+      case kHysteresis:
+        return of_forces.in(constant, scale, place) + (place.unsheared ? by_toughness : 0);
+      default:
+        return of_forces.in(constant, scale, place);
+    }
+  }
+};
+
 /// Derivatives of a residual in the scaled P, T and A, and in the logarithms of their errors.
 struct ResidualSlopes {
   double by_P, by_T, by_A;
@@ -74,6 +108,15 @@ struct ResidualSlopes {
   /// At scaled P, T and A.
   ScaledSlopes at(double P, double T, double A) const {
     return {by_P, by_T, by_A, by_P * P + by_T * T + log_sigma_T, by_A * A + log_sigma_A};
+  }
+  /// With the approach P. by_compliance, by_load: as in HeldSlopes; load: that reading, scaled; log_sigma: in the
+  /// logarithm of its error.
+  HeldSlopes held(double P, double T, double A, double by_compliance, double by_load = 0, double load = 0,
+                  double log_sigma = 0) const {
+    return {{by_P, by_T, by_A, by_T * T + log_sigma_T + by_load * load + log_sigma, by_A * A + log_sigma_A},
+            by_P * P,
+            by_compliance,
+            by_load};
   }
   double in(Constant constant, double P, double T, double A, const ConstantsScale& scale,
             const PointPlace& place) const {

@@ -263,9 +263,10 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   }
 }
 
-/// Readings of the axes of a block, their residuals, and the derivatives of these.
+/// Readings of the axes of a block, or of its loads at held approaches, their residuals, and the derivatives of these.
 struct CurveObjective::OfAxes {
   std::vector<double> q, sigma_q, slant, r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A;
+  std::vector<double> dm, of_q, own_q, of_sigma_q, own_sigma_q;  // of loads
 
   void add(const CurveObjective& of, const MeasuredPoints& points, std::size_t begin, std::size_t n, std::size_t p,
            PlanePoints& plane, CurveDistances& out) {
@@ -282,6 +283,35 @@ struct CurveObjective::OfAxes {
     plane.sigma_q = sigma_q;
     plane.slant = slant;
     out.axes = {r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A};
+    if (!of.model().holds_approach()) return;
+    for (std::vector<double>* const list : {&dm, &of_q, &own_q, &of_sigma_q, &own_sigma_q}) list->resize(n);
+    out.axes.dm = dm;
+    out.axes.of_q = of_q;
+    out.axes.own_q = own_q;
+    out.axes.of_sigma_q = of_sigma_q;
+    out.axes.own_sigma_q = own_sigma_q;
+  }
+};
+
+/// Of a held approach: the machine's compliance at each point of a block, and derivatives in it.
+struct CurveObjective::OfApproach {
+  std::vector<double> compliance, dm;
+
+  /// Scales the loads that were measured beside the approach, too.
+  void add(const CurveObjective& of, const Constants& constants, const MeasuredPoints& points, std::size_t begin,
+           std::size_t n, OfAxes& loads, PlanePoints& plane, CurveDistances& out) {
+    const bool varies = of.varies_ || has_changes(constants);
+    ConstantsScale scale(constants);
+    dm.resize(n);
+    out.dm = dm;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (varies) scale = ConstantsScale(constants, points.at(of.index_of(begin + i)).place);
+      compliance.push_back(of.model().held_at(0).compliance * scale.compliance);
+      if (loads.q.empty()) continue;
+      loads.q[i] = scale.load_beside(loads.q[i]);
+      loads.sigma_q[i] *= scale.force;
+    }
+    plane.compliance = compliance;
   }
 };
 
@@ -304,6 +334,9 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   OfAxes axes;
   PlanePoints plane{array(0), array(1), array(2), array(3), array(4)};
   if (!wanted.axes.empty() && points.axes) axes.add(*this, points, begin, n, p, plane, out);
+  OfApproach approach;
+  const bool held = model().holds_approach();
+  if (held) approach.add(*this, at.constants, points, begin, n, axes, plane, out);
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
   if (!std::all_of(A.begin(), A.end(), [](double one) { return one > 0; })) return false;
   if (!model().curve_distances(at.parameters, plane, search, !wanted.jacobian.empty() || wanted.nearest, out))
@@ -336,7 +369,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     return ResidualSlopes{out.dP[i], out.dT[i], out.dA[i], of_error(out.dT[i], sigma_T[i]),
                           of_error(out.dA[i], sigma_A[i])};
   };
-  const bool by_column = !places_act && !wanted.jacobian.empty() && axes.r.empty();
+  const bool by_column = !places_act && !wanted.jacobian.empty() && axes.r.empty() && !held;
   if (by_column) {
     const auto by_force = array(5), by_area = array(6);
     for (std::size_t i = 0; i < n; ++i) {
@@ -371,6 +404,27 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
       for (std::size_t k = 0; k < choice_.constants().size(); ++k)
         row[k] = slopes.in(choice_.constants()[k], scale, place);
     };
+    if (held) {
+      const auto fill_held = [&](std::size_t to_row, const HeldSlopes& slopes) {
+        double* const row = &wanted.jacobian[to_row * width] + choice_.of_model().size();
+        for (std::size_t k = 0; k < choice_.constants().size(); ++k)
+          row[k] = slopes.in(choice_.constants()[k], scale, place);
+      };
+      const double m = approach.compliance[i];
+      if (axes.r.empty()) {
+        fill_held(to(i), slopes_of(i).held(P[i], T[i], A[i], out.dm[i] * m));
+        continue;
+      }
+      const bool loaded = std::isfinite(axes.q[i]);
+      const double load = loaded ? axes.q[i] : 0;
+      fill_held(to(i), ResidualSlopes{out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]}.held(
+                           P[i], T[i], A[i], out.dm[i] * m, axes.of_q[i], load, axes.of_sigma_q[i]));
+      if (const std::size_t row = axes_row_[index_of(begin + i)]; row > 0)
+        fill_held(row,
+                  ResidualSlopes{axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]}.held(
+                      P[i], T[i], A[i], axes.dm[i] * m, axes.own_q[i], load, axes.own_sigma_q[i]));
+      continue;
+    }
     if (axes.r.empty()) {
       fill(to(i), slopes_of(i));
       continue;

@@ -90,6 +90,7 @@ class CurveObjective final : public ModelProblem {
   void whiten(std::span<double> jacobian) const;
   void take_off_and_whiten(std::span<double> residuals, std::span<double> jacobian) const;
   struct OfAxes;
+  struct OfApproach;
   void list_axes();
   Wanted with_axes(Wanted wanted) const;
   bool add_pull_off(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian) const;

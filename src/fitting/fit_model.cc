@@ -15,7 +15,7 @@ FitResult fit(const Dataset& data, std::string_view model, const FitOptions& opt
               const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near) {
   const auto found = ContactModel::find(model);
   if (!found) throw std::invalid_argument("there is no model '" + std::string(model) + "'");
-  return Fitter(data, *found, options, purpose, points, near).run();
+  return Fitter(data, data.under_control(*found), options, purpose, points, near).run();
 }
 
 /// Where several explanations do about as well, the interval includes the value of each. That of a fit that is not

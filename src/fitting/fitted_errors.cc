@@ -90,7 +90,7 @@ double variance_ratio(const Dataset& data, const StandardErrors& errors, std::si
 double log_variances_of_axes(const Dataset& data, const PointIndices& used, const StandardErrors& errors) {
   double sum = 0;
   for (const std::size_t i : used) {
-    if (!std::isfinite(data.axes[i].q) || data.axes[i].sigma_q > 0) continue;
+    if (!std::isfinite(beside(data)[i].q) || beside(data)[i].sigma_q > 0) continue;
     const bool known = StandardErrors::is_known(errors.source_A) || !errors.scatter;
     sum += 2 * std::log(errors.axes_factor * (known ? 1 : errors.A[i] / (data.points[i].A * *errors.scatter)));
   }
@@ -141,6 +141,19 @@ double log_variances(const Dataset& data, const PointIndices& used, const Standa
   for (const std::size_t point : used) sum += std::log(variance_ratio(data, errors, point));
   const auto whitening = whitening_of(data, used, errors);
   return whitening ? sum + whitening->log_determinant() : sum;
+}
+
+double mean_error_of_loads(const Dataset& data, const FitResult& fit) {
+  double sum = 0, count = 0, largest = 0;
+  for (const std::size_t i : fit.used)
+    if (std::isfinite(data.loads_beside[i].q)) largest = std::max(largest, std::abs(data.loads_beside[i].q));
+  for (const std::size_t i : fit.used) {
+    const PointAxes& load = data.loads_beside[i];
+    if (!std::isfinite(load.q)) continue;
+    sum += load.sigma_q > 0 ? load.sigma_q : fit.errors->axes_factor * fit.errors->A[i] / data.points[i].A * largest;
+    ++count;
+  }
+  return sum / count * data.display.force_scale;
 }
 
 }  // namespace mixity

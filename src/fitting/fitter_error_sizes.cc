@@ -126,7 +126,7 @@ void Fitter::widen_by_sizes_of_errors(const std::vector<double>& x) {
 
 /// Sets the factor on the relative errors of A that those of the axes have. Returns the change of its logarithm.
 double Fitter::size_axes(const NearestPlaces& nearest) {
-  if (nearest.axes.empty() || data_.axes[prepared_.used[0]].sigma_q > 0) return 0;
+  if (nearest.axes.empty() || beside(data_)[prepared_.used[0]].sigma_q > 0) return 0;
   double squares = 0;
   for (const double r : nearest.axes) squares += r * r;
   // the axes' residuals determine about one parameter, the second coupling

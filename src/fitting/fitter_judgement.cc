@@ -74,6 +74,8 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
   const auto acts = [&](Constant c) {
     if (c == kModulusDrift || c == kToughnessDrift) return data_.curves.size() >= 3;
     if (c == kShape && prepared_.model.is_elliptic()) return false;  // the model has the shape
+    if (c == kApproachOffset) return data_.holds_approach();
+    if (c == kLoadOffset && data_.holds_approach()) return !data_.loads_beside.empty();
     return c != kHysteresis || (with && without);
   };
   for (const Constant c : kAllConstants) {
@@ -82,7 +84,7 @@ void Fitter::add_budget(const std::vector<double>& x, const Verdict& verdict) {
     const bool of_areas = c == kAreaScale || c == kAreaOffset;
     if (fitted || (!data_.has_loads && c != kToughness) || !acts(c) || (of_areas && prepared_.used.empty())) continue;
     all.fitted.push_back({c, prepared_.constants[c], 0});
-    const double size = c == kLoadOffset ? load : c == kShearOffset ? shear : area;
+    const double size = c == kLoadOffset || c == kApproachOffset ? load : c == kShearOffset ? shear : area;
     exact.push_back({beside.size(), is_factor(c) ? std::log(1.05) : is_change(c) ? 0.01 : 0.01 * size});
     beside.push_back(prepared_.constants[c]);
   }

@@ -47,6 +47,21 @@ std::vector<MeasuredAxes> measured_axes(const Dataset& data, const PreparedFit& 
   return list;
 }
 
+/// The loads that were measured beside a held approach. Where their errors are not stated, they are `axes_factor` times
+/// the relative error of A of the largest load.
+std::vector<MeasuredAxes> loads_beside(const Dataset& data, const PreparedFit& prepared) {
+  std::vector<MeasuredAxes> list;
+  double largest = 0;
+  for (const std::size_t i : prepared.used)
+    if (std::isfinite(data.loads_beside[i].q)) largest = std::max(largest, std::abs(data.loads_beside[i].q));
+  for (const std::size_t i : prepared.used) {
+    const PointAxes& load = data.loads_beside[i];
+    const double share = prepared.errors ? prepared.errors->axes_factor * prepared.errors->A[i] / data.points[i].A : 1;
+    list.push_back({load.q, load.sigma_q > 0 ? load.sigma_q : share * largest, 0});
+  }
+  return list;
+}
+
 /// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
 /// must outlive the result.
 MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
@@ -108,6 +123,8 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   std::shared_ptr<const std::vector<MeasuredAxes>> axes;
   if (prepared.model.is_elliptic() && !data.axes.empty())
     axes = std::make_shared<const std::vector<MeasuredAxes>>(measured_axes(data, prepared));
+  if (prepared.model.holds_approach() && !data.loads_beside.empty())
+    axes = std::make_shared<const std::vector<MeasuredAxes>>(loads_beside(data, prepared));
   MeasuredPoints points(n, shared);
   if (n < kManyPoints) {
     std::vector<MeasuredPoint> list;
@@ -173,11 +190,15 @@ FreeChoice free_choice(const Dataset& data, const PreparedFit& prepared) {
     largest_shear = std::max(largest_shear, data.points[i].shear());
     smallest_area = std::min(smallest_area, data.points[i].A);
   }
+  double largest_force = largest_load;
+  if (data.holds_approach())
+    for (const PointAxes& load : data.loads_beside) largest_force = std::fmax(largest_force, std::abs(load.q));
   const double factor = std::log(1000.0);
   for (const auto& [constant, mean, prior] : prepared.fitted) {
     const double reach = is_factor(constant)       ? factor
                          : is_change(constant)     ? 1
                          : constant == kAreaOffset ? 0.9 * smallest_area
+                         : constant == kLoadOffset ? 10 * largest_force
                                                    : 10 * (constant == kShearOffset ? largest_shear : largest_load);
     const double start = prepared.start.empty() ? mean : prepared.start[choice.constants().size()];
     const auto [scale, unit] = unit_of(data, constant);
@@ -289,7 +310,8 @@ std::vector<double> jkr_start(const Dataset& data, const FitOptions& options, co
   const std::size_t free = options.free.size();
   // if a load is below pull-off, a toughness at which the lowest load is 0.85 of pull-off
   for (std::size_t k = 0; k < free; ++k)
-    if (options.free[k] == kToughness && above_pull_off(-pull) < 0) start[k] = std::log(pull / 4);
+    if (options.free[k] == kToughness && !data.holds_approach() && above_pull_off(-pull) < 0)
+      start[k] = std::log(pull / 4);
   PreparedFit unsheared = prepared;
   unsheared.objective = Objective::curve;
   std::fill(unsheared.held.begin(), unsheared.held.end(), true);

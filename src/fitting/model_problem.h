@@ -10,9 +10,17 @@
 
 #include "fitting/constants.h"
 #include "mechanics/contact_model.h"
+#include "mechanics/held_approach.h"
 #include "solver/problem.h"
 
 namespace mixity {
+
+/// The model under these constants, on which the dimensionless compliance of a machine that holds an approach depends.
+inline ContactModel at_scale(const ContactModel& model, const ConstantsScale& scale) {
+  return model.has_compliance() && scale.compliance != 1
+             ? model.at_held_approach(model.held_at(0).compliance * scale.compliance)
+             : model;
+}
 
 /// Values of a model's parameters and of the constants of the experiment.
 struct Candidate {
@@ -28,7 +36,8 @@ struct MeasuredPoint {
   double near_T = 0, near_A = 0;  // a reading of a place near the nearest point of the curve; A = 0: not known
 };
 
-/// ln(a/b) of a point's semi-axes, NaN where it was not measured, as mechanics/states.h has it.
+/// ln(a/b) of a point's semi-axes, NaN where it was not measured, as mechanics/states.h has it; or the load at a held
+/// approach.
 struct MeasuredAxes {
   double q, sigma_q, slant;
 };
@@ -95,17 +104,13 @@ class FreeChoice {
   const Constants& fixed_constants() const { return base_.constants; }  // the values of those that are not free
   Candidate candidate(std::span<const double> x) const;
 
-  /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all model parameters; `slopes`: those
-  /// in the measured values, at the scaled point.
-  struct Scaled {
-    double P, T, A;
-  };
-  void fill_row(std::span<double> row, const double* by_parameter, const ResidualSlopes& slopes, const Scaled& scaled,
-                const ConstantsScale& scale, const PointPlace& place) const {
+  /// Fills a row of the Jacobian. `by_parameter`: the residual's derivatives in all model parameters; in(constant):
+  /// that in a constant.
+  template <class In>
+  void fill_row(std::span<double> row, const double* by_parameter, const In& in) const {
     std::size_t k = 0;
     for (const std::size_t parameter : of_model_) row[k++] = by_parameter[parameter];
-    for (const Constant constant : constants_)
-      row[k++] = slopes.in(constant, scaled.P, scaled.T, scaled.A, scale, place);
+    for (const Constant constant : constants_) row[k++] = in(constant);
   }
 
  private:

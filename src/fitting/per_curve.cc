@@ -59,7 +59,7 @@ struct CommonConstants {
 std::optional<CommonConstants> fit_common_constants(const Dataset& data, const FitOptions& options,
                                                     const Constants& near, const SeparateFits& separate) {
   constexpr std::size_t kMostIntervals = 40;  // the time of the joint problem grows with the cube of the number of runs
-  const ContactModel model = model_of(separate.fits[0]);
+  const ContactModel model = model_of(data, separate.fits[0]);
   const Objective objective = options.objective.value_or(default_objective(data));
   const std::vector<FittedConstant> constants = fitted_constants(data, options);
   const std::size_t runs = separate.runs.size();

@@ -21,6 +21,7 @@ double usual_size(const Dataset& data, Constant constant) {
     case kHysteresis:
       return 0.15;
     case kLoadOffset:
+    case kApproachOffset:
       return kOfLargest * largest_value(data, &Point::P);
     case kShearOffset:
       return kOfLargest * largest_value(data, &Point::T);

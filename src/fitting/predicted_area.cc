@@ -20,11 +20,12 @@ void add_areas(const ContactModel& model, std::span<const double> p, std::span<c
                double load, std::span<const double> shears, std::vector<PredictedArea>& areas) {
   if (!model.obstacle(p, load).empty())
     return areas.resize(areas.size() + shears.size(), {PredictedArea::State::undefined, 0});
-  if (above_pull_off(load) < 0)
+  if (!model.in_contact(load))
     return areas.resize(areas.size() + shears.size(),
                         {PredictedArea::State::below_pull_off, scales[0].measured_area(0)});
   const auto measured = [&](std::size_t i, double y) {
-    return scales[i].measured_area(area_from_radius(radius_from_edge_load(y, load)));
+    const double a = model.holds_approach() ? model.held_at(load).radius(y) : radius_from_edge_load(y, load);
+    return scales[i].measured_area(area_from_radius(a));
   };
   const Equilibria found = model.equilibria(p, load, shears);
   for (std::size_t i = 0; i < shears.size(); ++i) {
@@ -40,10 +41,10 @@ void add_areas(const ContactModel& model, std::span<const double> p, std::span<c
 
 }  // namespace
 
-ContactModel model_of(const FitResult& fit) {
+ContactModel model_of(const Dataset& data, const FitResult& fit) {
   const auto model = ContactModel::find(fit.model);
   if (!model) throw std::invalid_argument("no model is called '" + fit.model + "'");
-  return *model;
+  return data.under_control(*model);
 }
 
 Constants constants_of(const Dataset& data, const FitOptions& options, const std::vector<FittedParameter>& parameters) {
@@ -86,7 +87,7 @@ void each_area(const ContactModel& model, const Candidate& candidate, std::size_
       shears.push_back(std::abs(by.shear(T)));
       scales.push_back(by);
     }
-    add_areas(model, candidate.parameters, scales, load, shears, areas);
+    add_areas(at_scale(model, scales[0]), candidate.parameters, scales, load, shears, areas);
     for (std::size_t i = 0; i < areas.size(); ++i) take(begin + i, areas[i]);
     begin += areas.size();
   }

@@ -10,8 +10,9 @@
 
 namespace mixity {
 
-/// The model that was fitted. Throws std::invalid_argument if its key is unknown.
-ContactModel model_of(const FitResult& fit);
+/// The model that was fitted, under the control of the data and with their own constants (at_scale). Throws
+/// std::invalid_argument if its key is unknown.
+ContactModel model_of(const Dataset& data, const FitResult& fit);
 
 /// All constants of a fit; those among `parameters`, which must have values, as fitted.
 Constants constants_of(const Dataset& data, const FitOptions& options, const std::vector<FittedParameter>& parameters);

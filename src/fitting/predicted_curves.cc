@@ -19,7 +19,8 @@ class Shown {
       : units_(data), scale_(constants), sign_(sign_of_shear) {}
   const ConstantsScale& scale() const { return scale_; }
   double shear(double measured) const { return std::abs(scale_.shear(sign_ * measured)); }
-  double P(double value) const { return scale_.measured_load(value) * units_.force; }
+  double force(double load) const { return (load / scale_.force - scale_.load_offset) * units_.force; }
+  double P(double value) const { return scale_.measured_load(value) * units_.held; }
   double T(double value) const { return sign_ * scale_.measured_shear(sign_ * value) * units_.force; }
   double A(double value) const { return scale_.measured_area(value) * units_.area; }
   double a(double value) const {
@@ -37,8 +38,8 @@ class Shown {
 
 DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const FitResult& fit, double load, double T_most,
                        double sign_of_shear) {
-  const ContactModel model = model_of(fit);
-  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const Candidate candidate = fitted_candidate(data, model_of(data, fit), fit, options);
+  const ContactModel model = at_scale(model_of(data, fit), ConstantsScale(candidate.constants));
   const Shown shown(data, candidate.constants, sign_of_shear);
   const double P = shown.scale().load(load), most = shown.shear(T_most);
   const CurveSampling sampling{
@@ -46,13 +47,14 @@ DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const Fit
   const SampledCurve curve = model.curve(candidate.parameters, P, sampling);
   DrawnCurve drawn;
   if (curve.uncoupled) {
-    const double a = jkr_radius(P);
+    const double a = model.unsheared_radius(P);
     for (const double T : {0.0, most})
-      drawn.points.push_back({shown.T(T), shown.A(area_from_radius(a)), shown.u(0.75 * T / a), true});
+      drawn.points.push_back(
+          {shown.T(T), shown.A(area_from_radius(a)), shown.u(0.75 * T / a), true, shown.force(model.load(P, a))});
     return drawn;
   }
   for (const CurvePoint& q : curve.points)
-    drawn.points.push_back({shown.T(q.T), shown.A(q.A), shown.u(q.u), q.dT >= 0});
+    drawn.points.push_back({shown.T(q.T), shown.A(q.A), shown.u(q.u), q.dT >= 0, shown.force(model.load(P, q.a))});
   for (const Control::Kind kind : {Control::Kind::load, Control::Kind::displacement})
     for (const Fold& fold : model.folds(candidate.parameters, P, {kind}))
       if (fold.place.maximum)
@@ -64,8 +66,8 @@ DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const Fit
 
 std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                        std::size_t run, std::size_t points) {
-  const ContactModel model = model_of(fit);
-  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const Candidate candidate = fitted_candidate(data, model_of(data, fit), fit, options);
+  const ContactModel model = at_scale(model_of(data, fit), ConstantsScale(candidate.constants));
   const ConstantsScale scale(candidate.constants);
   const double P = scale.load(data.curve_loads[run]);
   double measured = 0;
@@ -82,7 +84,7 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
   const Equilibria found = model.equilibria(candidate.parameters, P, shears);
   for (std::size_t i = 0; i < points; ++i) {
     if (found.at[i].status != EquilibriumStatus::ok) continue;
-    const ContactState state = contact_state(P, shears[i], found.at[i].y);
+    const ContactState state = model.state(P, shears[i], found.at[i].y);
     const double sign = data.sign_of_shear(run);
     states.push_back({sign * scale.measured_shear(sign * state.T), scale.measured_area(state.A), state.psi, state.f});
   }
@@ -92,7 +94,7 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
 std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                                   std::size_t run, std::size_t points) {
   std::vector<std::pair<double, double>> drawn;
-  const ContactModel model = model_of(fit);
+  const ContactModel model = model_of(data, fit);
   if (!model.is_elliptic()) return drawn;
   std::vector<double> T, as_measured;
   const Candidate candidate = fitted_candidate(data, model, fit, options);
@@ -111,7 +113,7 @@ std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const Fit
 std::vector<std::pair<double, double>> drawn_pull_off(const Dataset& data, const FitOptions& options,
                                                       const FitResult& fit, HeldShear held, double most,
                                                       std::size_t points) {
-  const ContactModel model = model_of(fit);
+  const ContactModel model = model_of(data, fit);
   const Candidate candidate = fitted_candidate(data, model, fit, options);
   const ConstantsScale scale(candidate.constants);
   std::vector<double> as_read(points), shear(points);
@@ -129,14 +131,16 @@ std::vector<std::pair<double, double>> drawn_pull_off(const Dataset& data, const
 
 DrawnRadii drawn_radii(const Dataset& data, const FitOptions& options, const FitResult& fit, double T, double P_most,
                        std::size_t points) {
-  const ContactModel model = model_of(fit);
-  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const Candidate candidate = fitted_candidate(data, model_of(data, fit), fit, options);
+  const ContactModel model = at_scale(model_of(data, fit), ConstantsScale(candidate.constants));
   const Shown shown(data, candidate.constants);
   DrawnRadii drawn;
   if (!model.obstacle(candidate.parameters).empty()) return drawn;
   const double load = shown.scale().load(P_most);
   // The largest y up to the load P_most: that of JKR, since shear lowers it.
-  const double largest = 1.05 * (3 * pi<double>() + circle_radius(std::max(load, 0.0)));
+  const double a = model.holds_approach() && model.in_contact(load) ? model.unsheared_radius(load) : 0;
+  const double largest = 1.05 * (model.holds_approach() ? std::sqrt(8 * pi<double>() * a) * a
+                                                        : 3 * pi<double>() + circle_radius(std::max(load, 0.0)));
   std::vector<double> edge_loads;
   for (std::size_t i = 1; i <= points; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(points);
@@ -169,7 +173,7 @@ std::vector<std::pair<double, double>> toughness_curve(const ContactModel& model
 
 std::vector<std::pair<double, double>> drawn_toughness(const Dataset& data, const FitResult& fit, double last_psi,
                                                        double most, std::size_t steps) {
-  const ContactModel model = model_of(fit);
+  const ContactModel model = model_of(data, fit);
   return toughness_curve(model, fitted_candidate(data, model, fit, {}).parameters, last_psi, most, steps);
 }
 

@@ -17,6 +17,7 @@ namespace mixity {
 struct DrawnPoint {
   double T, A, u;
   bool stable;  // under load control
+  double P;     // the normal load
 };
 
 /// A place where the contact loses stability.

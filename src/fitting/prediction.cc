@@ -86,11 +86,12 @@ std::vector<Fold> folds_at(const Dataset& data, const ContactModel& model, const
   const Candidate candidate = fitted_candidate(data, model, fit, options);
   const Constants& c = candidate.constants;
   const double load = ConstantsScale(c).load(P);
-  problem = model.problem(candidate.parameters, load);
+  const ContactModel scaled = at_scale(model, ConstantsScale(c));
+  problem = scaled.problem(candidate.parameters, load);
   if (!problem.empty()) return {};
   control.stiffness /= std::exp(2.0 / 3 * (c[kModulus] + c[kRadius]) + c[kToughness] / 3);  // of xi^2 G_Ic
   std::vector<Fold> folds;
-  for (const Fold& fold : model.folds(candidate.parameters, load, control)) folds.push_back(measured(fold, c));
+  for (const Fold& fold : scaled.folds(candidate.parameters, load, control)) folds.push_back(measured(fold, c));
   return folds;
 }
 
@@ -114,7 +115,7 @@ std::vector<double> axes_at(const ContactModel& model, const Candidate& candidat
 std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
                                              std::span<const double> P, std::span<const double> T) {
   if (!has_all_values(fit)) return {};
-  const ContactModel model = model_of(fit);
+  const ContactModel model = model_of(data, fit);
   const auto at_all = [&](const FitResult& with) {
     return predicted_areas(model, fitted_candidate(data, model, with, options), P, T);
   };
@@ -151,7 +152,7 @@ std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResul
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
                                  const std::vector<Control>& controls) {
   if (!has_all_values(fit)) return {{}, "the fit has no values"};
-  const ContactModel model = model_of(fit);
+  const ContactModel model = model_of(data, fit);
   FoldsPrediction predicted;
   for (const Control control : controls) {
     const std::vector<Fold> folds = folds_at(data, model, fit, options, P, control, predicted.problem);

@@ -35,6 +35,20 @@ void require_what_is_asked(const Dataset& data, const ContactModel& model, const
         std::string(data.has_energies ? "G_I and G_II" : "psi and Gc"));
   if (model.is_elliptic() && objective != Objective::curve)
     refuse("elliptic contacts have no single phase angle: fit them with " + Remedy::set("objective", "curve"));
+  if (data.holds_approach()) {
+    if (model.is_elliptic()) refuse("a held approach is known for circles alone: leave out shape = ellipse");
+    if (scale_of(options) == Scale::linear && objective == Objective::toughness)
+      refuse("the toughness of areas under a held approach is compared in ln(Gc/GIc): leave out scale = linear");
+    if (!data.loads_beside.empty() && (options.bootstrap.replicates > 0 || options.influence))
+      refuse("bootstrap and influence are of points with areas alone: loads beside a held approach are not resampled");
+    if (!data.loads_beside.empty() && !options.by_run.empty())
+      refuse("what differs by run is fitted to areas: leave out the column P, or by_run");
+    if (data.loads_beside.empty() &&
+        std::find(options.free.begin(), options.free.end(), kLoadOffset) != options.free.end())
+      refuse("load_offset is of readings of P, of which there are none beside delta: free approach_offset");
+  } else if (std::find(options.free.begin(), options.free.end(), kApproachOffset) != options.free.end()) {
+    refuse("approach_offset is of a held approach (control = \"approach\", column delta); these data hold loads");
+  }
   const bool uncertain = fitted_constants(data, options).size() > options.free.size();
   const std::string columns = data.has_energies ? "G_I and G_II" : "psi and Gc";
   const bool curve = objective == Objective::curve, energies = curve && data.has_energies;
@@ -108,8 +122,10 @@ void choose_points(const Dataset& data, const std::vector<std::size_t>* points, 
     }
     if (data.has_energies) return {};
     // there may be a contact for another value of a constant
-    const bool contact = !prepared.fitted.empty() || above_pull_off(scales.of(i).load(data.points[i].P)) >= 0;
-    return contact ? std::string_view() : kBelowPullOff;
+    const ConstantsScale scale = scales.of(i);
+    const bool contact =
+        !prepared.fitted.empty() || at_scale(prepared.model, scale).in_contact(scale.load(data.points[i].P));
+    return contact ? std::string_view() : data.holds_approach() ? kBelowPullOffOfApproach : kBelowPullOff;
   };
   const auto consider = [&](std::size_t i) {
     if (const std::string_view reason = obstacle(i); reason.empty())
@@ -166,7 +182,7 @@ std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptio
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
                     const std::vector<std::size_t>* points) {
   require_what_is_asked(data, model, options, objective);
-  PreparedFit prepared{model, objective};
+  PreparedFit prepared{data.under_control(model), objective};
   prepared.constants = constants_of(data, options);
   prepared.fitted = fitted_constants(data, options);
   choose_points(data, points, prepared);

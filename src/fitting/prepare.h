@@ -38,6 +38,9 @@ std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptio
 inline constexpr std::string_view kBelowPullOff =
     "the load lies below the JKR pull-off load -3/2 pi R G_Ic, at which no model predicts an area";
 
+inline constexpr std::string_view kBelowPullOffOfApproach =
+    "the approach lies below that of JKR pull-off, at which no model predicts an area";
+
 /// `points`: indices of the points to fit; null: all. Throws InputError if the options require what the data set lacks,
 /// or hold a parameter outside its range.
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,

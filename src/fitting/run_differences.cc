@@ -49,8 +49,9 @@ std::vector<std::string> tested_quantities(const Dataset& data, const PreparedFi
   const auto infos = prepared.model.parameters();
   for (std::size_t k = 0; k < infos.size() && list.empty(); ++k)
     if (!prepared.held[k]) list.emplace_back(infos[k].name);
-  for (const Constant c : {kToughness, kModulus, kAreaScale, kLoadOffset})
-    if (c != kLoadOffset || !data.several_spheres) list.emplace_back(kConstantNames[c]);
+  const Constant of_held = data.holds_approach() ? kApproachOffset : kLoadOffset;
+  for (const Constant c : {kToughness, kModulus, kAreaScale, of_held})
+    if (c != of_held || !data.several_spheres) list.emplace_back(kConstantNames[c]);
   return list;
 }
 

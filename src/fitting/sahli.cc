@@ -54,7 +54,8 @@ std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool pr
 
 SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, const std::vector<double>& parameters) {
   if (data.stated_constants() != Constants{}) return fit_sahli(corrected(data), upto, model, parameters);
-  const auto predicting = ContactModel::find(model);
+  const auto found = ContactModel::find(model);
+  const auto predicting = found ? std::optional(data.under_control(*found)) : std::nullopt;
   SahliResult result;
   const auto runs = points_by_curve(data);
   const auto predicted = [&](double A0) {

@@ -15,6 +15,16 @@
 
 namespace mixity {
 
+struct FitResult;
+
+/// The mean standard error of the loads that a fit under a held approach used, in the unit of the file.
+double mean_error_of_loads(const Dataset& data, const FitResult& fit);
+
+/// What was measured beside T and A and has residuals of its own: loads at a held approach, or axes.
+inline const std::vector<PointAxes>& beside(const Dataset& data) {
+  return data.holds_approach() ? data.loads_beside : data.axes;
+}
+
 /// A standard error stated for all points: "1%" of each value, or one quantity such as "0.002 mm^2" (a bare number if
 /// the data are dimensionless).
 using StatedError = Quantity;

@@ -61,6 +61,8 @@ ConstantUnit unit_of(const Dataset& data, Constant c) {
     case kLoadOffset:
     case kShearOffset:
       return {data.display.force_scale, contact ? data.display.force : ""};
+    case kApproachOffset:
+      return {data.display.approach_scale, contact ? data.display.approach : ""};
     case kAreaOffset:
       break;
   }
@@ -79,6 +81,8 @@ std::vector<FittedConstant> uncertain_constants(const Dataset& data) {
     const bool needed = data.has_loads ? constant == kAreaScale || constant == kForceGain || is_change(constant) ||
                                              data.contact.has_value()
                                        : constant == kToughness;
+    if (constant == kApproachOffset && !data.holds_approach()) continue;
+    if (constant == kLoadOffset && data.holds_approach() && data.loads_beside.empty()) continue;
     const double error = needed ? stated_error(data, constant) : 0;
     if (error > 0) list.push_back({constant, stated[constant], error});
   }

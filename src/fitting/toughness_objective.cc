@@ -156,8 +156,8 @@ ToughnessOfLoads::ToughnessOfLoads(MeasuredPoints points, FreeChoice choice, std
   for (std::size_t i = 0; i < points_.size; ++i) {
     const MeasuredPoint p = points_.at(i);
     const ConstantsScale scale(choice_.fixed_constants(), p.place);
-    targets_.push_back(weights_[i] *
-                       std::log(toughness_of_area(scale.load(p.P), scale.shear(p.T), scale.true_area(p.A))->ratio));
+    const double A = scale.true_area(p.A), P = at_scale(model(), scale).load(scale.load(p.P), radius_from_area(A));
+    targets_.push_back(weights_[i] * std::log(toughness_of_area(P, scale.shear(p.T), A)->ratio));
   }
 }
 
@@ -184,8 +184,20 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
       T[j] = scale.shear(point.T);
       A[j] = scale.true_area(point.A);
     }
-    if (!model().toughness_residuals(at.parameters, std::span(P).first(n), std::span(T).first(n), std::span(A).first(n),
-                                     {residuals.subspan(begin, n), by_P, by_T, by_A, by_parameter}))
+    if (varies && model().has_compliance()) {  // each point has a compliance of its own
+      for (std::size_t j = 0; j < n; ++j) {
+        const auto one = [&](auto& list) { return std::span(list).subspan(j, 1); };
+        const ConstantsScale own(at.constants, points_.at(begin + j).place);
+        if (!at_scale(model(), own)
+                 .toughness_residuals(at.parameters, one(P), one(T), one(A),
+                                      {residuals.subspan(begin + j, 1), one(by_P), one(by_T), one(by_A),
+                                       std::span(by_parameter).subspan(j * p, p)}))
+          return false;
+      }
+    } else if (!at_scale(model(), scale)
+                    .toughness_residuals(at.parameters, std::span(P).first(n), std::span(T).first(n),
+                                         std::span(A).first(n),
+                                         {residuals.subspan(begin, n), by_P, by_T, by_A, by_parameter}))
       return false;
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t i = begin + j;
@@ -195,7 +207,17 @@ bool ToughnessOfLoads::evaluate(std::span<const double> x, std::span<double> res
       const PointPlace place = points_.at(i).place;
       if (varies) scale = ConstantsScale(at.constants, place);
       const std::span<double> row = jacobian.subspan(i * width, width);
-      choice_.fill_row(row, by_parameter.data() + j * p, {by_P[j], by_T[j], by_A[j]}, {P[j], T[j], A[j]}, scale, place);
+      const ResidualSlopes slopes{by_P[j], by_T[j], by_A[j]};
+      if (model().holds_approach()) {
+        const HeldApproach held = at_scale(model(), scale).held_at(P[j]);
+        const HeldApproach::EdgeLoad y = held.edge_load(radius_from_area(A[j]));
+        const double by_compliance = by_P[j] * y.by_compliance / y.by_approach * held.compliance;
+        choice_.fill_row(row, by_parameter.data() + j * p,
+                         [&](Constant c) { return slopes.held(P[j], T[j], A[j], by_compliance).in(c, scale, place); });
+      } else {
+        choice_.fill_row(row, by_parameter.data() + j * p,
+                         [&](Constant c) { return slopes.in(c, P[j], T[j], A[j], scale, place); });
+      }
       for (double& slope : row) {
         slope *= weights_[i];
         finite &= std::isfinite(slope);

@@ -79,8 +79,9 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
     const Verdict verdict = solve_with_priors(*uncertain).verdict;
     if (verdict.status == FitStatus::ok) test.chi2 = chi_squared(ProblemWithPriors(*uncertain), verdict.best.x);
   }
-  test.p_value = beyond(test.chi2, test.points, of_errors);
-  for (const Constant constant : {kModulus, kToughness, kLoadOffset}) {
+  // loads that were measured beside a held approach have residuals of their own
+  test.p_value = beyond(test.chi2, residuals.size(), of_errors);
+  for (const Constant constant : {kModulus, kToughness, data.holds_approach() ? kApproachOffset : kLoadOffset}) {
     FitOptions freed = as_stated;
     freed.free = {constant};
     prepared.fitted = fitted_constants(data, freed);
@@ -91,7 +92,7 @@ std::optional<UnshearedTest> test_unsheared(const Dataset& data, const FitOption
     const double x = verdict.best.x[0], chi2 = chi_squared(*problem, verdict.best.x);
     test.implied.push_back({parameter.name, parameter.unit, parameter.shown((*as_stated.constants)[constant]),
                             parameter.shown(x), *verdict.standard_errors[0] * std::abs(parameter.shown_slope(x)), chi2,
-                            beyond(chi2, test.points - 1, of_errors)});
+                            beyond(chi2, residuals.size() - 1, of_errors)});
   }
   return test;
 }

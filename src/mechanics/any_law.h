@@ -19,6 +19,7 @@ std::variant<Law..., std::shared_ptr<const UserLaw>> variant_of(std::tuple<Law..
 }  // namespace any_law_detail
 
 struct EllipticModel;
+struct HeldModel;
 
 /// A published law, or one that was defined at run time. Immutable.
 struct AnyLaw {
@@ -26,6 +27,7 @@ struct AnyLaw {
   const ModelInfo& info;
   std::span<const ParameterInfo> parameters;
   std::shared_ptr<const EllipticModel> ellipse{};  // of elliptic contacts; info and parameters are then its own
+  std::shared_ptr<const HeldModel> held{};         // of contacts whose approach is held
 };
 
 using ParameterSpan = std::span<const double>;

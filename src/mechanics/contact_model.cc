@@ -7,6 +7,7 @@
 #include "mechanics/any_law.h"
 #include "mechanics/elliptic_model.h"
 #include "mechanics/equilibrium.h"
+#include "mechanics/held_model.h"
 #include "mechanics/laws/known_laws.h"
 #include "mechanics/packed_toughness.h"
 
@@ -53,6 +54,7 @@ std::optional<EndParameters> ContactModel::ends_of(ParameterSpan p) const {
 
 std::string_view ContactModel::obstacle(ParameterSpan p, double P) const {
   if (law_->ellipse) return elliptic::obstacle(*law_->ellipse, p, P);
+  if (law_->held) return held::obstacle(*law_, p, P);
   return with_law(*law_, p, [&](const auto& law, const auto& values) { return contact_obstacle(law, values, P); });
 }
 
@@ -63,7 +65,9 @@ std::string ContactModel::problem(ParameterSpan p, double P) const {
            ", not " + std::to_string(p.size());
   for (const double load : {0.0, P})
     if (const std::string_view why = obstacle(p, load); !why.empty()) return std::string(why);
-  return above_pull_off(P) < 0 ? "no contact exists below the pull-off load -3 pi/2 R G_Ic" : "";
+  if (in_contact(P)) return "";
+  return law_->held ? "no contact exists below the approach of pull-off"
+                    : "no contact exists below the pull-off load -3 pi/2 R G_Ic";
 }
 
 void ContactModel::make_continuous(std::span<double> p) const {

@@ -19,6 +19,7 @@ namespace mixity {
 
 class UserLaw;
 struct AnyLaw;
+struct HeldApproach;
 
 /// A strided array: value i is i steps behind the first. With step 0, one value for all points.
 struct Values {
@@ -50,7 +51,8 @@ struct SampledCurve {
 
 struct Equilibria {
   std::vector<Equilibrium> at;
-  std::optional<StableBranch> last;  // the last stable branch, set if a T lies beyond it
+  std::optional<StableBranch> last;     // the last stable branch, set if a T lies beyond it
+  std::optional<StableBranch> first{};  // of a held approach, the first one
 };
 
 /// Cheap to copy; may be used on several threads at once. Spans of parameters hold as many values as parameters().
@@ -69,6 +71,15 @@ class ContactModel {
   ContactModel circle() const;
   /// The parameters at both ends, and the states' axes. Null for circles.
   std::optional<EndParameters> ends_of(std::span<const double> p) const;
+  /// The same law for contacts whose approach is held by a machine with this compliance (held_approach.h), 0 if it is
+  /// rigid. Whatever is called a load P below is then the approach; functions that do not know it are empty.
+  ContactModel at_held_approach(double compliance) const;
+  bool holds_approach() const;
+  /// The same law under a held load.
+  ContactModel of_loads() const;
+  bool has_compliance() const;  // it holds an approach by a machine that is not rigid
+  /// The contact at this approach, of a model that holds it.
+  HeldApproach held_at(double approach) const;
   static const std::vector<ContactModel>& published();
   explicit ContactModel(std::shared_ptr<const UserLaw> law);
 
@@ -80,6 +91,14 @@ class ContactModel {
   std::string_view obstacle(std::span<const double> p, double P = 0) const;
   /// Like `obstacle`, but also reports a wrong number of parameters and a load below pull-off.
   std::string problem(std::span<const double> p, double P = 0) const;
+  /// Whether there is a contact without shear: not below pull-off.
+  bool in_contact(double P) const;
+  /// The radius without shear, where there is a contact.
+  double unsheared_radius(double P) const;
+  /// The load at the radius a: P, or that of the approach P.
+  double load(double P, double a) const;
+  /// The state with a solved edge load y; its P is a load.
+  ContactState state(double P, double T, double y) const;
   /// Replaces parameters at which curves change abruptly by the nearest ones at which they do not.
   void make_continuous(std::span<double> p) const;
 
@@ -187,6 +206,8 @@ class ContactModel {
 
  private:
   explicit ContactModel(std::shared_ptr<const AnyLaw> law);
+  bool under_loads(std::span<const double> approach, std::span<const double> T, std::span<const double> A,
+                   std::span<const double> p, const ToughnessResiduals& out) const;
 
   std::shared_ptr<const AnyLaw> law_;
 };

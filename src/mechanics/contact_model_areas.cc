@@ -9,6 +9,7 @@
 #include "mechanics/contact_model.h"
 #include "mechanics/elliptic_model.h"
 #include "mechanics/equilibrium.h"
+#include "mechanics/held_model.h"
 #include "mechanics/non_monotone_curve.h"
 #include "mechanics/roots.h"
 #include "mechanics/sensitivity.h"
@@ -56,6 +57,7 @@ void ContactModel::areas(std::span<const Values> parameters, Values P, Values T,
     std::fill(status.begin(), status.end(), EquilibriumStatus::invalid);
     return;
   }
+  if (law_->held) return held::areas(*law_, parameters, P, T, A, status);
   if (law_->ellipse) return elliptic::areas(*law_->ellipse, parameters, P, T, A, status);
   with_law(*law_, [&]<class Law>(const Law& law) {
     std::vector<double> positive;
@@ -96,6 +98,7 @@ void ContactModel::area_slopes(std::span<const Values> parameters, Values P, Val
                                std::span<const std::span<double>> slopes) const {
   for (const std::span<double> of_one : slopes) std::fill(of_one.begin(), of_one.end(), kNaN);
   if (parameters.size() != law_->parameters.size()) return;
+  if (law_->held) return held::area_slopes(*law_, parameters, P, T, A, slopes);
   if (law_->ellipse) return elliptic::area_slopes(*law_->ellipse, parameters, P, T, A, slopes);
   with_law(*law_, [&]<class Law>(const Law& law) {
     for (std::size_t i = 0; i < A.size(); ++i) {
@@ -110,6 +113,7 @@ void ContactModel::area_slopes(std::span<const Values> parameters, Values P, Val
 void ContactModel::tangential_loads(std::span<const Values> parameters, Values P, Values A, std::span<double> T) const {
   std::fill(T.begin(), T.end(), kNaN);
   if (parameters.size() != law_->parameters.size()) return;
+  if (law_->held) return held::tangential_loads(*law_, parameters, P, A, T);
   if (law_->ellipse) return elliptic::tangential_loads(*law_->ellipse, parameters, P, A, T);
   with_law(*law_, [&]<class Law>(const Law& law) {
     for (std::size_t i = 0; i < T.size(); ++i) {
@@ -131,6 +135,7 @@ void ContactModel::tangential_loads(std::span<const Values> parameters, Values P
 }
 
 Equilibria ContactModel::equilibria(ParameterSpan p, double P, std::span<const double> T) const {
+  if (law_->held) return held::equilibria(*law_, p, P, T);
   if (law_->ellipse) return elliptic::equilibria(*law_->ellipse, p, P, T);
   return with_law(*law_, p, [&](const auto& law, const auto& values) {
     const LoadedContact contact(law, values, P);

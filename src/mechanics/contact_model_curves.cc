@@ -3,6 +3,7 @@
 #include "mechanics/contact_model.h"
 #include "mechanics/elliptic_model.h"
 #include "mechanics/equilibrium.h"
+#include "mechanics/held_model.h"
 #include "mechanics/limits.h"
 #include "mechanics/regimes.h"
 #include "mechanics/sampling.h"
@@ -10,6 +11,7 @@
 namespace mixity {
 
 double ContactModel::first_stable_end(ParameterSpan p, double P) const {
+  if (law_->held) return held::first_stable_end(*law_, p, P);
   if (law_->ellipse) return elliptic::first_stable_end(*law_->ellipse, p, P);
   return with_contact(*law_, p, P, 0.0, [&](const auto& law, const auto& values) {
     return LoadedContact(law, values, P).branches().front().T_bottom;
@@ -17,6 +19,7 @@ double ContactModel::first_stable_end(ParameterSpan p, double P) const {
 }
 
 std::vector<Fold> ContactModel::folds(ParameterSpan p, double P, Control control) const {
+  if (law_->held) return held::folds(*law_, p, P, control);
   if (law_->ellipse) return elliptic::folds(*law_->ellipse, p, P, control);
   return with_contact(*law_, p, P, std::vector<Fold>(), [&](const auto& law, const auto& values) {
     return find_folds(EquilibriumCurve(law, values, P), control);
@@ -24,12 +27,13 @@ std::vector<Fold> ContactModel::folds(ParameterSpan p, double P, Control control
 }
 
 std::optional<RegimeReport> ContactModel::regime(ParameterSpan p, double P, std::optional<double> tau0) const {
-  if (law_->ellipse) return std::nullopt;
+  if (law_->ellipse || law_->held) return std::nullopt;
   return with_contact(*law_, p, P, std::optional<RegimeReport>(),
                       [&](const auto& law, const auto& values) { return classify(law, values, P, tau0); });
 }
 
 SampledCurve ContactModel::curve(ParameterSpan p, double P, const CurveSampling& sampling) const {
+  if (law_->held) return held::curve(*law_, p, P, sampling);
   if (law_->ellipse) return elliptic::curve(*law_->ellipse, p, P, sampling);
   return with_contact(*law_, p, P, SampledCurve{{}, false}, [&](const auto& law, const auto& values) -> SampledCurve {
     const EquilibriumCurve curve(law, values, P);
@@ -51,6 +55,7 @@ SampledCurve ContactModel::curve(ParameterSpan p, double P, const CurveSampling&
 std::vector<ConstantShearPoint> ContactModel::at_constant_shear(ParameterSpan p, double T,
                                                                 std::span<const double> y) const {
   if (law_->ellipse) return {};
+  if (law_->held) return held::at_constant_shear(*law_, p, T, y);
   return with_law(*law_, p, [&](const auto& law, const auto& values) {
     std::vector<ConstantShearPoint> points;
     points.reserve(y.size());
@@ -60,7 +65,7 @@ std::vector<ConstantShearPoint> ContactModel::at_constant_shear(ParameterSpan p,
 }
 
 std::optional<double> ContactModel::critical_load(ParameterSpan p) const {
-  if (law_->ellipse || !obstacle(p).empty()) return std::nullopt;
+  if (law_->ellipse || law_->held || !obstacle(p).empty()) return std::nullopt;
   return with_law(*law_, p, [](const auto& law, const auto& values) { return mixity::critical_load(law, values); });
 }
 
@@ -69,6 +74,7 @@ std::optional<std::span<const RegimeBoundary>> ContactModel::regime_boundaries()
 }
 
 std::optional<double> ContactModel::shear_sensitivity(ParameterSpan p, double A0) const {
+  if (law_->held) return held::shear_sensitivity(*law_, p, A0);
   const std::optional<double> P = jkr_load(A0);
   if (!P) return std::nullopt;
   if (law_->ellipse) return elliptic::shear_sensitivity(*law_->ellipse, p, *P);

@@ -6,6 +6,7 @@
 #include "mechanics/curve_distance.h"
 #include "mechanics/elliptic_model.h"
 #include "mechanics/energy_plane.h"
+#include "mechanics/held_model.h"
 #include "mechanics/sensitivity.h"
 
 namespace mixity {
@@ -14,6 +15,7 @@ namespace mixity {
 bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> P, std::span<const double> T,
                                        std::span<const double> A, const ToughnessResiduals& out) const {
   if (law_->ellipse) return false;
+  if (law_->held) return under_loads(P, T, A, p, out);
   return with_law(*law_, p, [&](const auto& law, const auto& values) {
     for (std::size_t i = 0; i < P.size(); ++i) {
       if (!(A[i] > 0)) return false;
@@ -32,8 +34,24 @@ bool ContactModel::toughness_residuals(ParameterSpan p, std::span<const double> 
   });
 }
 
+/// Under a held approach: at the load that the approach has at each area.
+bool ContactModel::under_loads(std::span<const double> approach, std::span<const double> T, std::span<const double> A,
+                               ParameterSpan p, const ToughnessResiduals& out) const {
+  std::vector<double> P;
+  for (std::size_t i = 0; i < A.size(); ++i) P.push_back(A[i] > 0 ? load(approach[i], radius_from_area(A[i])) : 0);
+  if (!of_loads().toughness_residuals(p, P, T, A, out)) return false;
+  for (std::size_t i = 0; i < A.size(); ++i) {
+    const double a = radius_from_area(A[i]);
+    const HeldApproach::EdgeLoad y = held_at(approach[i]).edge_load(a);
+    out.A[i] += out.P[i] * (4 * a * a - y.slope) / (2 * pi<double>() * a);
+    out.P[i] *= -y.by_approach;
+  }
+  return true;
+}
+
 bool ContactModel::curve_distances(ParameterSpan p, const PlanePoints& points, Search search, bool derivatives,
                                    CurveDistances& out) const {
+  if (law_->held) return held::curve_distances(*law_, p, points, derivatives, out);
   if (law_->ellipse) return elliptic::curve_distances(*law_->ellipse, p, points, derivatives, out);
   return with_law(*law_, p, [&](const auto& law, const auto& values) {
     return mixity::curve_distances(law, values, points, search, derivatives, out);

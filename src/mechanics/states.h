@@ -173,8 +173,11 @@ struct RegimeBoundary {
 ///
 /// q, its standard error and `slant`: for elliptic contacts, ln(a/b) of the semi-axes along and across the shear, NaN
 /// where they were not measured; what has an error independent of A's is q - slant A/A_measured. Empty: no axes.
+///
+/// Under a held approach P is the approach, q the measured load, NaN where it was not measured, and slant is not used.
+/// compliance: of the machine, for each point; empty: that of the model.
 struct PlanePoints {
-  std::span<const double> P, T, A, sigma_T, sigma_A, q{}, sigma_q{}, slant{};
+  std::span<const double> P, T, A, sigma_T, sigma_A, q{}, sigma_q{}, slant{}, compliance{};
 };
 
 /// local: the point of the curve that Newton's method reaches from the measured point; the nearest one if the measured
@@ -199,8 +202,11 @@ struct CurveDistances {
     std::span<double> r, dP, dT, dA, parameters;
     // in ln sigma_T and ln sigma_A: of the first residual, and of this one
     std::span<double> of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A;
+    // under a held approach, whose third coordinate is the load
+    std::span<double> dm{}, of_q{}, own_q{}, of_sigma_q{}, own_sigma_q{};
   } axes{};
   std::span<double> place_q{};
+  std::span<double> dm{};  // under a held approach, unless empty: the derivative in the compliance of the machine
 };
 
 /// Measured energies of the two modes with standard errors > 0, and the toughness G_Ic > 0 at each point, all in one

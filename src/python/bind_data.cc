@@ -59,6 +59,15 @@ void bind_data(nb::module_& m) {
       .def_prop_ro("force_scale", [](const Dataset& d) { return d.display.force_scale; })
       .def_prop_ro("area_scale", [](const Dataset& d) { return d.display.area_scale; })
       .def_prop_ro("force_unit", [](const Dataset& d) { return d.contact ? d.contact->force_unit() : 1.0; })
+      .def_prop_ro("holds_approach", &Dataset::holds_approach)
+      .def_prop_ro("approach_unit_text", [](const Dataset& d) { return d.display.approach; })
+      .def_prop_ro("held_unit",
+                   [](const Dataset& d) {
+                     return !d.contact            ? 1.0
+                            : d.holds_approach() ? d.contact->displacement_unit()
+                                                 : d.contact->force_unit();
+                   })
+      .def_prop_ro("approach_scale", [](const Dataset& d) { return d.display.approach_scale; })
       .def_prop_ro("stiffness_unit", [](const Dataset& d) { return d.contact ? d.contact->stiffness_unit() : 1.0; })
       .def_prop_ro("displacement_unit",
                    [](const Dataset& d) { return d.contact ? d.contact->displacement_unit() : 1.0; })
@@ -74,7 +83,11 @@ void bind_data(nb::module_& m) {
              for (std::size_t i = 0; i < d.points.size(); ++i) {
                const Point& point = d.points[i];
                const auto toughness = name == "psi" || name == "f" ? d.toughness(i) : std::nullopt;
-               values.push_back(name == "P"       ? point.P
+               const double load = !d.holds_approach()      ? point.P
+                                   : d.loads_beside.empty() ? std::nan("")
+                                                            : d.loads_beside[i].q;
+               values.push_back(name == "P"       ? load
+                                : name == "delta" ? (d.holds_approach() ? point.P : std::nan(""))
                                 : name == "T"     ? point.T
                                 : name == "A"     ? point.A
                                 : name == "line"  ? static_cast<double>(point.line)

@@ -18,6 +18,7 @@ namespace {
 void write_reading(std::ostringstream& out, const Dataset& data) {
   out << data_heading(data) << "\n    "
       << (data.points.empty() && !data.pull_off.empty() ? "pull-off loads (T, P_c), "
+          : data.holds_approach()                       ? "raw points (delta, T, A), "
           : data.has_loads                              ? "raw points (P, T, A), "
           : data.has_energies                           ? "energies (G_I, G_II)"
                                                         : "converted points (psi, Gc/GIc)")
@@ -34,12 +35,13 @@ void write_curves(std::ostringstream& out, const Dataset& data, bool against_jkr
   const auto curves = summarise_curves(data);
   if (curves.empty()) return;
   const DisplayUnits& units = data.display;
-  out << "[[Loading runs]]  P, " << bracketed("T", units.force) << ", " << bracketed("A", units.area)
+  out << "[[Loading runs]]  " << (data.holds_approach() ? bracketed("delta", data.held_unit()) : "P") << ", "
+      << bracketed("T", units.force) << ", " << bracketed("A", units.area)
       << (against_jkr ? "; last column: area at the smallest T over JKR's" : "")
       << (data.stated_constants() == Constants{} ? "\n" : "; corrected by the stated offsets and area_scale\n");
   for (const CurveSummary& curve : curves) {
-    out << "    " << std::left << std::setw(14) << curve.name << "  P = " << std::setw(10)
-        << rounded(curve.P * units.force_scale, 5) << ' ' << std::setw(4) << curve.points
+    out << "    " << std::left << std::setw(14) << curve.name << "  " << data.held_name() << " = " << std::setw(10)
+        << rounded(curve.P * data.held_scale(), 5) << ' ' << std::setw(4) << curve.points
         << " points  T = " << rounded(curve.T_min * units.force_scale, 4) << " .. " << std::setw(9)
         << rounded(curve.T_max * units.force_scale, 4) << "  A = " << rounded(curve.A_min * units.area_scale, 4)
         << " .. " << std::setw(9) << rounded(curve.A_max * units.area_scale, 4);
@@ -77,6 +79,8 @@ std::vector<StatedConstant> stated_constants(const Metadata& metadata) {
   add("load_offset", "load_offset", metadata.load_offset, "N");
   add("shear_offset", "shear_offset", metadata.shear_offset, "N");
   add("area_offset", "area_offset", metadata.area_offset, "m^2");
+  add("approach_offset", "approach_offset", metadata.approach_offset, "m");
+  add("normal_stiffness", "normal stiffness", metadata.normal_stiffness, "N/m");
   add("modulus_drift", "modulus_drift", metadata.modulus_drift, "");
   add("toughness_drift", "toughness_drift", metadata.toughness_drift, "");
   add("shape", "shape", metadata.shape, "");
@@ -92,12 +96,16 @@ std::vector<std::pair<std::string, std::string>> shown_constants(const Dataset& 
     ReadableUnit shown = readable_unit(one.value, one.unit);
     if (name.ends_with("_offset")) {
       if (!data.contact || !data.has_loads) continue;
-      shown = name == "area_offset" ? ReadableUnit{units.area_scale / data.contact->area_unit(), units.area}
-                                    : ReadableUnit{units.force_scale / data.contact->force_unit(), units.force};
+      shown = name == "approach_offset"
+                  ? ReadableUnit{units.approach_scale / data.contact->displacement_unit(), units.approach}
+              : name == "area_offset" ? ReadableUnit{units.area_scale / data.contact->area_unit(), units.area}
+                                      : ReadableUnit{units.force_scale / data.contact->force_unit(), units.force};
     }
     const double value = one.value * shown.factor, error = one.standard_error * shown.factor;
     list.emplace_back(one.label, (error > 0 ? with_error(value, error) : rounded(value, 6)) + unit_text(shown.unit));
   }
+  if (data.holds_approach())
+    list.emplace_back("control", data.metadata.normal_stiffness ? "approach" : "approach (rigid machine)");
   if (data.has_loads) list.emplace_back("mode III", mode_III_text(data.metadata));
   return list;
 }

@@ -78,10 +78,24 @@ struct CurveRow {
 /// null, has all columns, and additional ones for the data set's name and units.
 template <class Row>
 struct Table {
-  explicit Table(const Dataset* the_only_one) : alone(the_only_one) {
+  Table(const Dataset* the_only_one, std::span<const Analysis> results) : alone(the_only_one) {
+    for (const Analysis& one : results) any_approach |= one.data.holds_approach();
     if (!alone) column("dataset", [](auto& row) { return row.data->name; });
     column("provenance", [](auto& row) { return row.data->metadata.provenance; });
     column("model", [](auto& row) { return row.fit->model; });
+  }
+  /// The column of what is held: P, and where the approach is held delta.
+  template <class Get>
+  void held(Get get) {
+    const auto only = [get](bool approach) {
+      return [=](const Row& row) -> std::optional<double> {
+        return row.data->holds_approach() == approach ? get(row) : std::nullopt;
+      };
+    };
+    if (!alone || (alone->has_loads && !alone->holds_approach()))
+      column.quantity("P", alone ? alone->display.force : "", only(false));
+    if (!alone ? any_approach : alone->holds_approach())
+      column.quantity("delta", alone ? alone->display.approach : "", only(true));
   }
   template <class Get>
   void of_loads(const std::string& name, std::string DisplayUnits::*unit, Get get) {
@@ -95,6 +109,7 @@ struct Table {
   }
 
   const Dataset* alone;
+  bool any_approach = false;  // of several data sets
   CsvTable<Row> column{};
 };
 
@@ -110,13 +125,15 @@ std::string residuals(const Dataset* alone, std::span<const Analysis> results) {
       return row.data->has_loads ? std::optional(row.point().*member * row.data->display.*scale) : std::nullopt;
     };
   };
-  Table<ResidualRow> table(alone);
+  Table<ResidualRow> table(alone, results);
   table.column("line", [](auto& row) { return row.data->line_in_file(row.point().line); });
   table.column("curve", [](auto& row) { return row.data->curves[row.point().curve]; });
   table.column("psi [rad]", toughness([](auto& found) { return found.psi(); }));
   table.column("Gc_over_GIc", toughness([](auto& found) { return found.ratio; }));
   table.column("residual", [](auto& row) { return row.fit->residuals[row.index]; });
-  table.of_loads("P", &DisplayUnits::force, measured(&Point::P, &DisplayUnits::force_scale));
+  table.held([](const ResidualRow& row) {
+    return row.data->has_loads ? std::optional(row.point().P * row.data->held_scale()) : std::nullopt;
+  });
   table.of_loads("T", &DisplayUnits::force, measured(&Point::T, &DisplayUnits::force_scale));
   table.of_loads("A", &DisplayUnits::area, measured(&Point::A, &DisplayUnits::area_scale));
   table.of_loads("A_predicted", &DisplayUnits::area, [](const ResidualRow& row) {
@@ -124,8 +141,20 @@ std::string residuals(const Dataset* alone, std::span<const Analysis> results) {
     return predicted ? std::optional(row.fit->area->areas[row.index] * row.data->display.area_scale) : std::nullopt;
   });
   const auto has_axes = [](const Analysis& one) {
-    return std::any_of(one.fits.begin(), one.fits.end(), [](const FitResult& fit) { return fit.axes > 0; });
+    return !one.data.holds_approach() &&
+           std::any_of(one.fits.begin(), one.fits.end(), [](const FitResult& fit) { return fit.axes > 0; });
   };
+  const auto loads = [](const ResidualRow& row) { return row.data->holds_approach() && row.fit->axes > 0; };
+  if (std::any_of(results.begin(), results.end(), [](const Analysis& one) { return !one.data.loads_beside.empty(); })) {
+    table.of_loads("P_measured", &DisplayUnits::force, [loads](const ResidualRow& row) {
+      return loads(row)
+                 ? std::optional(row.data->loads_beside[row.fit->used[row.index]].q * row.data->display.force_scale)
+                 : std::nullopt;
+    });
+    table.column("P_residual", [loads](auto& row) {
+      return loads(row) ? std::optional(row.fit->axes_residuals[row.index]) : std::nullopt;
+    });
+  }
   if (std::any_of(results.begin(), results.end(), has_axes)) {
     table.column("a_over_b", [](auto& row) {
       return row.data->axes.empty() ? std::nullopt
@@ -152,15 +181,15 @@ void add_curves(CsvTable<CurveRow>& table, const Analysis& result, const FitResu
       if (f < kInfinity) table.add({&data, &fit, 0, {}, {}, {}, psi, f});
   for (std::size_t curve = 0; data.has_loads && curve < data.curves.size(); ++curve)
     for (const StableState& state : stable_states(data, result.request.options, fit, curve, kPoints))
-      table.add({&data, &fit, curve, data.curve_loads[curve] * units.force_scale, state.T * units.force_scale,
+      table.add({&data, &fit, curve, data.curve_loads[curve] * data.held_scale(), state.T * units.force_scale,
                  state.A * units.area_scale, state.psi, state.f});
 }
 
 std::string predicted_curves(const Dataset* alone, std::span<const Analysis> results) {
-  Table<CurveRow> table(alone);
+  Table<CurveRow> table(alone, results);
   if (!alone || alone->has_loads)
     table.column("curve", [](auto& row) { return row.P ? row.data->curves[row.curve] : std::string(); });
-  table.of_loads("P", &DisplayUnits::force, &CurveRow::P);
+  table.held([](const CurveRow& row) { return row.P; });
   table.of_loads("T", &DisplayUnits::force, &CurveRow::T);
   table.of_loads("A", &DisplayUnits::area, &CurveRow::A);
   table.column("psi [rad]", &CurveRow::psi);
@@ -238,7 +267,7 @@ std::string used_csv(const Dataset& data) {
   };
   if (data.has_loads) {
     column("curve", [&](std::size_t i) { return "run " + std::to_string(data.points[i].curve + 1); });
-    measured("P", units.force, &Point::P, units.force_scale);
+    measured(data.held_name(), data.held_unit(), &Point::P, data.held_scale());
     measured("T", units.force, &Point::T, units.force_scale);
     measured("A", units.area, &Point::A, units.area_scale);
     stated("sigma_T", units.force, &PointErrors::T, units.force_scale);

@@ -259,6 +259,18 @@ std::vector<FittedPullOff> pull_off_of(const FitResult& fit) {
   return list;
 }
 
+/// The loads at held approaches in a fit.
+struct FittedLoads {
+  FittedAxes of;
+  double error;
+};
+
+void describe(Fields<FittedLoads>& field) {
+  field("count", "points whose load was fitted", [](auto& loads) { return loads.of.count; });
+  field("rms", "root mean square of their residuals, in standard errors", [](auto& loads) { return loads.of.rms; });
+  field("sigma_P", "mean standard error of P, in the unit of the file", &FittedLoads::error);
+}
+
 void describe(Fields<FitResult>& field) {
   field("model", "key of the model", &FitResult::model);
   field("objective", "what was fitted: distance from the curve in (T, A), or ln(Gc/GIc) against psi",
@@ -283,7 +295,12 @@ void describe(Fields<FitResult>& field) {
         "unweighted toughness from loads, whose points scatter unequally",
         &FitResult::outliers);
   field("errors", "standard errors of the points; null if the objective does not use them", &FitResult::errors);
-  field("axes", "of a model of elliptic contacts, fitted axes; null without", axes_of);
+  field("axes", "of a model of elliptic contacts, fitted axes; null without",
+        [](auto& fit, auto& in) { return in.result->data.holds_approach() ? std::nullopt : axes_of(fit); });
+  field("loads", "under a held approach, measured loads that were fitted; null without", [](auto& fit, auto& in) {
+    const auto of = in.result->data.holds_approach() ? axes_of(fit) : std::nullopt;
+    return of ? std::optional(FittedLoads{*of, mean_error_of_loads(in.result->data, fit)}) : std::nullopt;
+  });
   field("pull_off", "fitted pull-off loads", [](auto& fit) {
     return IfAny<std::vector<FittedPullOff>>{pull_off_of(fit).empty() ? std::nullopt : std::optional(pull_off_of(fit))};
   });

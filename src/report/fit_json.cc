@@ -26,7 +26,7 @@ struct FitDocument {
 };
 
 /// A load in the unit of the file.
-auto shown_load(const double& P, const Within& in) { return P * in.result->data.display.force_scale; }
+auto shown_load(const double& P, const Within& in) { return P * in.result->data.held_scale(); }
 
 }  // namespace
 
@@ -157,6 +157,11 @@ void describe(Fields<Analysis>& field) {
   field("mode_III", "half: mode III is weighted by 1/2; averaged: over the edge; null without loads", [](auto& result) {
     return result.data.has_loads ? std::optional(to_string(result.data.metadata.mode_III)) : std::nullopt;
   });
+  field("control",
+        "what is held in the normal direction, which fields called P then are: load, or approach; null without loads",
+        [](auto& result) {
+          return result.data.has_loads ? std::optional(to_string(result.data.metadata.control)) : std::nullopt;
+        });
   field(
       "kappa", "what T^2 is multiplied by: 1 if mode_III is half, (2 - nu)/(2 - 2 nu) if it is averaged",
       [](auto& result) { return result.data.has_loads ? std::optional(result.data.metadata.kappa()) : std::nullopt; });

@@ -132,7 +132,9 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
     std::vector<std::string> parts{stated("sigma_A", fit.errors->source_A), stated("sigma_T", fit.errors->source_T)};
     parts.push_back(estimated_errors(*fit.errors, data.display));
     if (fit.axes > 0)
-      parts.push_back(data.axes[fit.used[0]].sigma_q > 0
+      parts.push_back(data.holds_approach()
+                          ? "P " + rounded(mean_error_of_loads(data, fit), 3) + unit_text(data.display.force)
+                      : data.axes[fit.used[0]].sigma_q > 0
                           ? "of the axes as in the columns"
                           : "ln(a/b) " + rounded(fit.errors->axes_factor, 3) + " times the relative error of A");
     std::erase(parts, "");
@@ -247,8 +249,9 @@ std::string per_curve_text(const Analysis& result) {
     for (const CurveFit& one : per_curve.curves) {
       out << "    " << padded(one.curve, 10);
       if (result.data.has_loads)
-        out << padded(
-            "P = " + rounded(one.P * result.data.display.force_scale, 4) + unit_text(result.data.display.force), 18);
+        out << padded(result.data.held_name() + (" = " + rounded(one.P * result.data.held_scale(), 4)) +
+                          unit_text(result.data.held_unit()),
+                      18);
       for (const FittedParameter& parameter : one.fit.parameters) {
         if (parameter.held) continue;
         out << parameter.name << " = " << (parameter.value ? rounded(*parameter.value, 5) : "not determined");

@@ -62,7 +62,8 @@ std::string to_text(const InstabilityReport& report) {
   for (const auto& [name, number] : report.parameters) text += ", " + name + " = " + number_text(number, 1);
   if (report.stated.mode_III != ModeIII::unstated) text += ", mode III " + mode_III_text(report.stated);
   text += (report.source.empty() ? "" : ", " + report.source) + (units.force.empty() ? " (dimensionless)\n" : "\n");
-  const std::string load = bracketed("P", units.force);
+  const bool approach = report.stated.control == NormalControl::approach;
+  const std::string load = approach ? bracketed("delta", units.held) : bracketed("P", units.force);
   std::vector<Row> rows{{load, "control", "met on", bracketed("T", units.force), bracketed("u", units.displacement),
                          bracketed("A", units.area), "psi [rad]", "jumps to", bracketed("area lost", units.area)}};
   std::string without;
@@ -100,6 +101,10 @@ std::string to_json(const InstabilityReport& report) {
                          {"displacement", units.displacement},
                          {"area", units.area},
                          {"stiffness", units.stiffness}};
+  if (report.stated.control == NormalControl::approach) {  // what the field load of each entry is
+    document["control"] = to_string(report.stated.control);
+    if (!units.held.empty()) document["units"]["approach"] = units.held;
+  }
   Json loads = Json::array(), sliding = Json::array();
   for (const InstabilityReport::AtLoad& one : report.loads) {
     Json entry = {{"load", one.load}, {"folds", folds_json(one.predicted, units, fitted)}};

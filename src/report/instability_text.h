@@ -15,6 +15,7 @@ namespace mixity {
 struct InstabilityUnits {
   std::string force{}, area{}, displacement{}, stiffness{};
   double force_scale = 1, area_scale = 1, displacement_scale = 1, stiffness_scale = 1;
+  std::string held{};  // the unit of an approach that is held in place of the load
 };
 
 struct InstabilityReport {

@@ -80,7 +80,10 @@ void describe(Fields<BothPeaks>& field) {
 }
 
 void describe(Fields<PredictedJump>& field) {
-  field("P", "load", &PredictedJump::P);
+  field("P", "load; null where the approach is held",
+        [](auto& jump) { return jump.is_approach ? std::nullopt : std::optional(jump.P); });
+  field("delta", "approach that is held; null where the load is",
+        [](auto& jump) { return jump.is_approach ? std::optional(jump.P) : std::nullopt; });
   field("T", "tangential load at which the contact jumps", [](auto& jump) { return jump.T.value; });
   field("T_stderr", "standard error of T", [](auto& jump) { return jump.T.standard_error; });
   field("A", "area from which the contact jumps", [](auto& jump) { return jump.A.value; });

@@ -31,12 +31,12 @@ std::string sahli_text(const Dataset& data, const SahliResult& result, const std
   const DisplayUnits& units = data.display;
   std::ostringstream out;
   out << data_heading(data) << '\n' << data_notes(data, words) << excluded_text(data, "mixity check lists them");
-  out << "[[A = A0 - alpha T^2]]  " << bracketed("P", units.force) << ", " << bracketed("A0", units.area) << ", "
-      << bracketed("alpha", alpha_unit(units)) << '\n'
+  out << "[[A = A0 - alpha T^2]]  " << bracketed(data.held_name(), data.held_unit()) << ", "
+      << bracketed("A0", units.area) << ", " << bracketed("alpha", alpha_unit(units)) << '\n'
       << "    run             P         points  A0                      alpha                     predicted\n";
   for (const SahliRun& run : result.runs)
     out << "    " << std::left << std::setw(15) << run.curve << ' ' << std::setw(9)
-        << rounded(run.P * units.force_scale, 5) << ' ' << std::setw(7) << run.points << ' ' << std::setw(23)
+        << rounded(run.P * data.held_scale(), 5) << ' ' << std::setw(7) << run.points << ' ' << std::setw(23)
         << with_error_if_any(run.A0, run.A0_stderr, units.area_scale, 5) << ' ' << std::setw(25)
         << with_error_if_any(run.alpha, run.alpha_stderr, alpha_scale(units), 5) << ' '
         << (run.alpha_predicted ? rounded(*run.alpha_predicted * alpha_scale(units), 5) : "-") << '\n';
@@ -61,7 +61,7 @@ std::string sahli_csv(const Dataset& data, const SahliResult& result) {
   const double scale = alpha_scale(units);
   column("provenance", [&](auto&) { return data.metadata.provenance; });
   column("curve", &SahliRun::curve);
-  shown("P", units.force, &SahliRun::P, units.force_scale);
+  shown(data.held_name(), data.held_unit(), &SahliRun::P, data.held_scale());
   column("points", &SahliRun::points);
   shown("A0", units.area, &SahliRun::A0, units.area_scale);
   shown("A0_stderr", units.area, &SahliRun::A0_stderr, units.area_scale);

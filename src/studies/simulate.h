@@ -16,7 +16,7 @@ struct Plan {
   std::string model = "c";
   std::vector<double> parameters;  // guesses, in the model's order
   Metadata constants;              // radius, modulus, toughness and offsets, with standard errors if they have any
-  std::vector<double> loads;       // N, one run each
+  std::vector<double> loads;       // N, one run each; m if constants.control is approach
   std::size_t points = 25;         // per run, at equal steps of T from 0
   double reach = 0.9;              // the largest T, as a fraction of that at which the contact jumps
   StatedError sigma_T, sigma_A;    // "1%" of each value, or one quantity

@@ -200,11 +200,11 @@ TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   refused("--sigma_T=-1", "flag '--sigma_T' is '-1'; it must be a percentage or a quantity of 0 or more");
   refused("--loss=l1", "flag '--loss' is 'l1'; it must be none, huber, cauchy or t");
   refused("--loss_scale=0", "flag '--loss_scale' is '0'; it must be a number above 0");
-  refused(
-      "--free=colour",
-      "flag '--free' names 'colour', which cannot be fitted (known: toughness, modulus, radius, area_scale, "
-      "force_gain, load_offset, shear_offset, area_offset, modulus_drift, toughness_drift, shape, hysteresis, model "
-      "parameters)");
+  refused("--free=colour",
+          "flag '--free' names 'colour', which cannot be fitted (known: toughness, modulus, radius, area_scale, "
+          "force_gain, load_offset, shear_offset, area_offset, approach_offset, modulus_drift, toughness_drift, shape, "
+          "hysteresis, model "
+          "parameters)");
   refused("--interval=bootstrap", "flag '--interval' is 'bootstrap'; it must be profile or none");
   refused("--confidence=95", "flag '--confidence' is '95'; it must be a number above 0 and below 1");
   refused("--confidence=1", "flag '--confidence' is '1'; it must be a number above 0 and below 1");

@@ -24,6 +24,8 @@ TEST(Definition, StatesEachFieldSoThatItIsReadBackToTheLastBit) {
                                                            {"load_from", "run_{P}mN"},
                                                            {"table", "2"},
                                                            {"mode_III", "averaged"},
+                                                           {"control", "approach"},
+                                                           {"normal_stiffness", "1.2 kN/m"},
                                                            {"poisson_ratio", "0.3333333333333333"}};
   for (const MetadataField& field : metadata_fields()) {
     if (field.is_path || field.name == "columns" || field.name == "load" || field.name == "source" ||

@@ -33,24 +33,27 @@ inline std::vector<MeasuredPoint> points_off(const std::string& model, const Par
   return list;
 }
 
-/// All parameters of the model and all constants.
+/// All parameters of the model and all constants, without that of approaches if loads are held.
 inline FreeChoice everything_free(const ContactModel& model, double shear_weight = 1) {
   Candidate base;
   base.constants.shear_weight = shear_weight;
+  base.constants.approach_held = model.holds_approach();
   FreeChoice choice(model, base, {});
-  for (const Constant c : kAllConstants) choice.add(c, {std::string(kConstantNames[c]), -1, 1, 0.0});
+  for (const Constant c : kAllConstants)
+    if (c != kApproachOffset || model.holds_approach()) choice.add(c, {std::string(kConstantNames[c]), -1, 1, 0.0});
   return choice;
 }
 
-inline std::vector<double> solver_point(const ParameterValues& p, const Constants& constants) {
+inline std::vector<double> solver_point(const ParameterValues& p, const Constants& constants, bool approach = false) {
   std::vector<double> x(p.begin(), p.end());
-  x.insert(x.end(), constants.begin(), constants.end());
+  for (const Constant c : kAllConstants)
+    if (c != kApproachOffset || approach) x.push_back(constants[c]);
   return x;
 }
 
 inline const std::vector<Constants> kSomeConstants{
-    {}, {{0.02, -0.03, 0.01, -0.01, 0.015, 0.05, 0.02, -0.01, 0.03, -0.02, 0.01, 0.05}}};
-inline constexpr Constants kWrongConstants{{0.1, -0.2, 0.05, -0.04, 0.02, 0.3, -0.02, -0.05, 0.04, -0.03, 0.02, 0.06}};
+    {}, {{0.02, -0.03, 0.01, -0.01, 0.015, 0.05, 0.02, -0.01, 0.04, 0.03, -0.02, 0.01, 0.05}}};
+inline constexpr Constants kWrongConstants{{0.1, -0.2, 0.05, -0.04, 0.02, 0.3, -0.02, -0.05, 0, 0.04, -0.03, 0.02, 0.06}};
 
 /// The same contact, read with constants that `c` puts right.
 inline std::vector<MeasuredPoint> misread(std::vector<MeasuredPoint> points, const Constants& c) {

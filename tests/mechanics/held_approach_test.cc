@@ -68,8 +68,7 @@ TEST(HeldApproach, EndsAtThePullOffOfAHeldApproach) {
   EXPECT_EQ(states("c", 0.15, least * (1 + 1e-9), 0, {0}).at[0].status, EquilibriumStatus::no_equilibrium);
 }
 
-/// A held approach lets the load fall as the contact shrinks, so that it is stable to a larger shear than under its
-/// first load or as far; at the fold T(a) is stationary: tau^2 = 8 pi a^3 - y^2 for model c.
+/// At the fold T(a) is stationary: tau^2 = 8 pi a^3 - y^2 for model c.
 TEST(HeldApproach, HasTheFoldOfModelC) {
   const double lambda = 0.15, approach = 5;
   const ApproachStates found = states("c", lambda, approach, 0, {1, 1e3});

@@ -15,8 +15,8 @@ namespace mixity {
 
 /// The program's own, case-sensitive names: A is an area, a is a radius. a_par and a_perp are semi-axes along and
 /// across the shear, d_par and d_perp whole axes; major and minor are whole axes as image programs give them, and angle
-/// is that of the major one from the shear. P_c is the load at which a sheared contact is pulled off, u the tangential
-/// displacement that is held meanwhile.
+/// is that of the major one from the shear. delta is an approach, which is held in place of P. P_c is the load at which
+/// a sheared contact is pulled off, u the tangential displacement that is held meanwhile.
 enum class ColumnId {
   P,
   T,
@@ -30,6 +30,7 @@ enum class ColumnId {
   major,
   minor,
   angle,
+  delta,
   psi,
   mode_ratio,
   Gc,
@@ -52,7 +53,7 @@ enum class ColumnId {
   time,
   frame
 };
-inline constexpr std::size_t kColumnCount = 33;
+inline constexpr std::size_t kColumnCount = 34;
 
 struct ColumnKind {
   ColumnId id;
@@ -73,6 +74,7 @@ inline constexpr std::array<ColumnKind, kColumnCount> kColumnKinds{{
     {ColumnId::major, "major", dimension::length},
     {ColumnId::minor, "minor", dimension::length},
     {ColumnId::angle, "angle", dimension::angle},
+    {ColumnId::delta, "delta", dimension::length},
     {ColumnId::psi, "psi", dimension::angle},
     {ColumnId::mode_ratio, "mode_ratio", dimension::none},
     {ColumnId::Gc, "Gc", dimension::energy_per_area},

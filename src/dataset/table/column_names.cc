@@ -192,7 +192,7 @@ class Names {
   /// Whether these columns suffice for points.
   bool is_complete() const {
     using enum ColumnId;
-    const bool loads = find(T) && (find(P) || rules_.load_stated) && is_sized();
+    const bool loads = holds_loads();
     if (rules_.log)
       return loads && (find(ColumnId::time) || find(ColumnId::frame));  // false for a log of forces or areas alone
     if (!rules_.log && find(P_c) && (find(T) || find(ColumnId::u))) return true;
@@ -219,8 +219,9 @@ class Names {
   /// Pull-off loads are read where the table has no areas: then of T or else u, and their errors.
   void drop_what_pull_off_lacks() {
     using enum ColumnId;
-    const bool areas = find(T) && (find(P) || rules_.load_stated) && is_sized(), pull_off = find(P_c) && !areas;
+    const bool pull_off = find(P_c) && !rules_.approach_held && !holds_loads();
     const auto stays = [&](ColumnId id) {
+      if (id == sigma_P && rules_.approach_held) return true;
       const bool of_pull_off = id == P_c || id == ColumnId::u || id == sigma_P || id == sigma_u;
       if (!pull_off) return !of_pull_off;
       if (id == ColumnId::u || id == sigma_u) return !find(T);
@@ -283,18 +284,27 @@ class Names {
   const NamedColumn* find(ColumnId id) const { return column_with(&NamedColumn::id, id); }
   const NamedColumn* at(std::size_t index) const { return column_with(&NamedColumn::index, index); }
   bool is_mapped(ColumnId id) const { return rules_.mapping.contains(name_of(id)); }
-  bool is_read(ColumnId id) const { return rules_.log || !is_clock(id); }
+  bool is_read(ColumnId id) const {
+    if (id == ColumnId::delta) return rules_.approach_held;
+    return rules_.log || !is_clock(id);
+  }
   /// Whether it is a standard error of the columns that make points, a name of runs, or a column that selects rows.
   bool is_beside(ColumnId id) const {
     using enum ColumnId;
     if (id == angle) return find(major);
     if (rules_.log) return false;
     if (id == sigma_T || id == sigma_A) return find(T);
+    if (id == sigma_P && rules_.approach_held) return find(P);
     if (id == sigma_P || id == sigma_u) return find(P_c);
     if (id == sigma_a_par || id == sigma_a_perp) return find(a_par) || find(d_par) || find(major);
     if (id == sigma_Gc) return find(Gc) || find(Gc_over_GIc);
     if (id == sigma_GI || id == sigma_GII) return find(G_I);
     return id == curve || id == include;
+  }
+  bool holds_loads() const {
+    using enum ColumnId;
+    const bool held = rules_.approach_held ? find(delta) != nullptr : find(P) || rules_.load_stated;
+    return find(T) && held && is_sized();
   }
   bool is_sized() const {
     using enum ColumnId;

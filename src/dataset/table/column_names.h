@@ -17,6 +17,7 @@ struct ColumnRules {
   std::map<std::string, std::string> mapping{};
   std::shared_ptr<const Vocabulary> names{};  // null: the shipped vocabulary
   bool load_stated = false;                   // the table needs no column P
+  bool approach_held = false;                 // it has a column delta, and P is optional
   std::optional<double> pixel{};              // m, the side of a pixel
   bool vocabulary = true;                     // false: only the program's own names count
   bool log = false;                           // the table needs a column of times, and T or A; only logs have times

@@ -157,8 +157,10 @@ void Columns::find_unused(const std::vector<Heading>& headings, const std::vecto
       unused.emplace_back(name, "did you mean " + std::string(to_string(*meant)) + "?");
       continue;
     }
+    const bool of_approach = id && (*id == ColumnId::delta || *id == ColumnId::sigma_P);
+    if (!id || is_clock(*id) || (of_approach && !rules.approach_held)) continue;
     // many a file has displacements that are none of a pull-off
-    if (!id || is_clock(*id) || *id == ColumnId::u || *id == ColumnId::P_c || (has(*id) && !beside.empty())) continue;
+    if (*id == ColumnId::u || *id == ColumnId::P_c || (has(*id) && !beside.empty())) continue;
     const std::string quantity(to_string(*id));
     if (const Column* const other = find(*id))
       unused.emplace_back(name, quantity + " is read from '" + printable(headings[other->index].text, 60) + "'");
@@ -191,7 +193,7 @@ void Columns::find_runs_beside(const std::vector<Heading>& headings, const std::
 std::vector<ColumnId> Columns::missing_loads(bool load_stated) const {
   using enum ColumnId;
   std::vector<ColumnId> missing;
-  if (!has(P) && !load_stated) missing.push_back(P);
+  if (!has(P) && !load_stated && !has(delta)) missing.push_back(P);
   if (!has(T)) missing.push_back(T);
   if (!has(A) && !lengths()) missing.push_back(A);
   return missing;
@@ -253,10 +255,16 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
   }
   if (loads) {
     all_of({T});
-    if (!rules.load_stated && !has(P))
+    if (rules.approach_held && !has(delta))
+      fail("control = \"approach\" needs a column 'delta', the approach of the sphere", delta,
+           rules.vocabulary ? "; say which it is: " + Remedy::set("columns", "delta=2 (um)") : Message());
+    if (!rules.approach_held && !rules.load_stated && !has(P))
       fail("column 'P' is missing", P,
-           rules.vocabulary ? "; one normal load of all points is stated by " + Remedy::set_or_key("load", "5 mN")
-                            : Message());
+           !rules.vocabulary ? Message()
+           : std::any_of(headings.begin(), headings.end(), [](const Heading& one) { return one.name == "delta"; })
+               ? "; an approach, delta, that is held in place of a load is stated by " +
+                     Remedy::set_or_key("control", "approach")
+               : "; one normal load of all points is stated by " + Remedy::set_or_key("load", "5 mN"));
     if (!lengths() || lengths()->one == a) exactly_one(A, a);
     for (const ContactLengths& one : kContactLengths)
       if (has(one.one) || has(one.other)) all_of({one.one, one.other});
@@ -294,17 +302,17 @@ void Columns::require_consistent_units(const std::string& path, const std::vecto
   const auto require_like_loads = [&](ColumnId id) {
     require_like(id, find(P) ? find(P) : find(T), "P, T and A are either all dimensionless or none is");
   };
-  for (const ColumnId id : {T, A}) require_like_loads(id);
+  for (const ColumnId id : {T, A, delta}) require_like_loads(id);
   for (const ContactLengths& lengths : kContactLengths)
     if (lengths.round() || !has(A))  // beside an area, only the ratio of the axes counts
       for (const ColumnId id : {lengths.one, lengths.other}) require_like_loads(id);
   if (holds_pull_off())
     for (const ColumnId id : {T, ColumnId::u})
       require_like(id, find(P_c), "P_c and T or u are either all dimensionless or none is");
-  require_like(sigma_P, find(P_c), "a standard error has the kind of unit of its quantity, or %");
   require_like(sigma_u, find(ColumnId::u), "a standard error has the kind of unit of its quantity, or %");
   require_like(G_II, find(G_I), "G_I and G_II either both have a unit or neither has");
   const std::string sigma_rule = "a standard error has the kind of unit of its quantity, or %";
+  require_like(sigma_P, find(holds_pull_off() ? P_c : P), sigma_rule);
   require_like(sigma_T, find(T), sigma_rule);
   require_like(sigma_A, find(T), sigma_rule);
   if (lengths())

@@ -44,7 +44,7 @@ class Dataset:
     P, T, A : array_like, shape (n,)
         Normal load, tangential load, contact area; or other columns of the program by their names: ``a`` (radius),
         ``a_par`` and ``a_perp``, ``psi`` with ``Gc`` or ``Gc_over_GIc``, ``G_I`` with ``G_II``, and standard errors
-        ``sigma_T``, ``sigma_A``, ... Values that are not finite, and areas <= 0, are left out and listed in
+        ``sigma_T``, ``sigma_A``, ... With ``control="approach"``, ``delta`` in place of P or beside it. Values that are not finite, and areas <= 0, are left out and listed in
         ``excluded``.
     runs : array_like of str or int, shape (n,), optional
         The loading run of each point; without a name (None, NaN), points of one load form a run.
@@ -149,13 +149,21 @@ class Dataset:
 
     @property
     def units(self) -> dict[str, str]:
-        """Units of loads and areas as shown and returned: {"force": "mN", "area": "mm^2"}; empty if dimensionless."""
-        return {"force": self._core.force_unit_text, "area": self._core.area_unit_text}
+        """Units of loads and areas as shown and returned: {"force": "mN", "area": "mm^2"}; empty if dimensionless.
+        With control="approach" also that of the approach: {"approach": "um"}."""
+        units = {"force": self._core.force_unit_text, "area": self._core.area_unit_text}
+        return units | {"approach": self._core.approach_unit_text} if self._core.holds_approach else units
 
     @property
     def P(self) -> FloatArray:
-        """Normal loads of the points, shape (n,), in units["force"]."""
+        """Normal loads of the points, shape (n,), in units["force"]; of a held approach those that were measured beside it,
+        or nan."""
         return self._core.column("P") * self._core.force_scale
+
+    @property
+    def delta(self) -> FloatArray:
+        """The approach that is held (control="approach"), in the unit of the file; nan where a load is held."""
+        return self._core.column("delta") * self._core.approach_scale
 
     @property
     def T(self) -> FloatArray:

@@ -129,7 +129,7 @@ class Fit(_Described):
         Parameters
         ----------
         P, T : array_like
-            In ``data.units["force"]``; broadcast.
+            In ``data.units["force"]``; broadcast. Where the approach is held, P is that, in ``data.units["approach"]``.
         confidence : float
 
         Returns
@@ -150,11 +150,12 @@ class Fit(_Described):
         """Dimensionless loads, from loads in the data's unit or quantities."""
         core = self.data._core
         array = plain_array(name, loads)
+        held = name == "P" and core.holds_approach  # P is then the approach, in data.units["approach"]
         if not carries_units(loads):
-            return array / core.force_scale
+            return array / (core.approach_scale if held else core.force_scale)
         if not core.force_unit_text:
             raise _core.InputError(f"'{name}' has a unit, but the data are dimensionless")
-        return array / core.force_unit
+        return array / (core.held_unit if held else core.force_unit)
 
     def folds(self, P: ArrayLike, control: str = "load", stiffness: float = 0.0) -> list[dict[str, Any]]:
         """The folds of the fitted contact at load P (in ``data.units["force"]``), as they would be measured.

@@ -87,7 +87,7 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
         raise InputError(f"{data.name} has no loads, so that there is no A(T) to draw; plot_toughness() draws what was fitted")
     ax = _axes(ax)
     colour, line = _style(fit)
-    P, T, A, run = data.P, data.T, data.A, data.run_of_point
+    P, T, A, run = data.delta if data._core.holds_approach else data.P, data.T, data.A, data.run_of_point
     _draw_runs(ax, data, T, A, run)
     for i in range(len(data.runs)):
         load = np.median(P[run == i])

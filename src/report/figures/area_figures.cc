@@ -33,12 +33,13 @@ class AreaFigures {
 
  private:
   std::string load_text(std::size_t k) const {
-    return "P = " + with_unit(data_.curve_loads[runs_[k]] * units_.force, 4, units_.force_unit);
+    return (data_.holds_approach() ? "δ = " : "P = ") +
+           with_unit(data_.curve_loads[runs_[k]] * units_.held, 4, units_.held_unit);
   }
 
   Series measured(std::size_t k) {
     const std::size_t run = runs_[k];
-    Series series{rounded(data_.curve_loads[run] * units_.force, 4), Look::circles, color(k)};
+    Series series{rounded(data_.curve_loads[run] * units_.held, 4), Look::circles, color(k)};
     const auto& errors = reported_.result.fits.front().errors;
     const std::vector<std::size_t> shown = shown_points(points_[run], runs_.size());
     all_points_ += points_[run].size();

@@ -26,7 +26,7 @@ Figure ratio_figure(const ReportedData& reported, const FitResult& fit) {
                 .caption = "Axes along (a) and across (b) the shear: measured, and of the fitted model."};
   constexpr std::size_t kMostRuns = 8;
   for (std::size_t run = 0; run < std::min(by_run.size(), kMostRuns); ++run) {
-    Series points{rounded(data.curve_loads[run] * units.force, 4), Look::circles, color(run)},
+    Series points{rounded(data.curve_loads[run] * units.held, 4), Look::circles, color(run)},
         line{"", Look::solid, color(run)};
     for (const std::size_t i : shown_points(by_run[run], by_run.size()))
       if (!data.axes.empty() && std::isfinite(data.axes[i].q))

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "base/number_text.h"
 #include "dataset/display_units.h"
@@ -33,7 +34,7 @@ Figure equilibrium_curves(const ReportedData& reported, const std::string& name,
   double x_most = 0, y_most = 0;
   for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < figured.runs.size(); ++k) {
-      const std::string load = rounded(data.curve_loads[figured.runs[k]] * units.force, 4);
+      const std::string load = rounded(data.curve_loads[figured.runs[k]] * units.held, 4);
       Series series{&curves == figured.models.data() ? load : "", model_line(curves.fit->model), color(k)};
       for (const DrawnPoint& q : curves.areas[k].points) {
         series.points.emplace_back(q.*x_value, q.*y_value);
@@ -50,14 +51,35 @@ Figure equilibrium_curves(const ReportedData& reported, const std::string& name,
   return figure;
 }
 
+/// P(T) at held approaches, with the loads that were measured beside them.
+Figure loads_figure(const ReportedData& reported, const Axis& T) {
+  const Dataset& data = reported.result.data;
+  const DrawnUnits units(data);
+  Figure figure = equilibrium_curves(reported, "_P_T", "Normal load against tangential load at held approaches", T,
+                                     {DrawnUnits::with("P", units.force_unit, "/(R G_{Ic})"), {}, {}}, &DrawnPoint::T,
+                                     &DrawnPoint::P);
+  if (data.loads_beside.empty()) return figure;
+  for (std::size_t k = 0; k < reported.figured.runs.size(); ++k) {
+    Series measured{"", Look::circles, color(k)};
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (data.points[i].curve == reported.figured.runs[k] && std::isfinite(data.loads_beside[i].q))
+        measured.points.emplace_back(data.points[i].shear() * units.force, data.loads_beside[i].q * units.force);
+    figure.series.push_back(std::move(measured));
+  }
+  figure.key.emplace_back("measured", Look::circles);
+  return figure;
+}
+
 /// a(P) of all models at a few tangential loads; the part that is unstable under load is dotted.
 Figure radii_figure(const ReportedData& reported) {
   const Dataset& data = reported.result.data;
   const DrawnUnits units(data);
   const FiguredModels& figured = reported.figured;
   const double least = *std::min_element(data.curve_loads.begin(), data.curve_loads.end());
-  Figure figure = beside_key(reported, "_a_P", "Contact radius against normal load at constant tangential load",
-                             {units.P(), std::min(least * units.force, 0.0), figured.P_most * units.force},
+  Figure figure = beside_key(reported, "_a_P",
+                             data.holds_approach() ? "Contact radius against approach at constant tangential load"
+                                                   : "Contact radius against normal load at constant tangential load",
+                             {units.P(), std::min(least * units.held, 0.0), figured.P_most * units.held},
                              {units.a(), 0.0, {}}, units.T());
   for (const ModelCurves& curves : figured.models)
     for (std::size_t k = 0; k < curves.radii.size(); ++k) {
@@ -83,6 +105,7 @@ std::vector<Figure> behaviour_figures(const ReportedData& reported) {
                                                  u, &DrawnPoint::T, &DrawnPoint::u),
                               equilibrium_curves(reported, "_A_u", "Contact area against tangential displacement", u, A,
                                                  &DrawnPoint::u, &DrawnPoint::A)};
+  if (data.holds_approach()) figures.push_back(loads_figure(reported, T));
   const auto& models = reported.figured.models;
   // a(P) at constant T is known of circles alone
   if (std::any_of(models.begin(), models.end(), [](const ModelCurves& one) {

@@ -51,7 +51,7 @@ std::optional<Figure> run_figure(const ReportedData& reported, const PerCurve& p
   for (const CurveFit& one : per_curve.curves) {
     const FittedParameter* own = leading_parameter(one.fit);
     if (!own || !own->value) continue;
-    const double P = one.P * units.force, value = *own->value;
+    const double P = one.P * units.held, value = *own->value;
     const double low = own->interval ? own->interval->low.value_or(value) : value;
     const double high = own->interval ? own->interval->high.value_or(value) : value;
     runs.points.emplace_back(P, value);
@@ -121,7 +121,7 @@ std::vector<Figure> left_out_figures(const ReportedData& reported) {
     Series series{"model " + model.model, model_symbol(model.model), model_color(model.model)};
     for (const LeftOut::Run& run : model.left_out->runs) {
       if (!(run.rmse_area > 0)) continue;
-      series.points.emplace_back(run.P * units.force, run.rmse_area);
+      series.points.emplace_back(run.P * units.held, run.rmse_area);
       series.hover.push_back("model " + model.model + " without run " + run.curve + ": RMS error " +
                              with_unit(run.rmse_area, 3, units.area_unit) + " over " + std::to_string(run.points) +
                              " points, " + std::to_string(run.beyond_fold) + " past the fold");

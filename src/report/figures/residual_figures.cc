@@ -88,8 +88,9 @@ std::vector<Figure> residual_figures(const ReportedData& reported) {
     figures.push_back(residuals_against(reported, "T", "Residuals against tangential load", units.T(),
                                         [&](std::size_t i) { return data.points[i].shear() * units.force; }));
     if (data.curves.size() > 1)
-      figures.push_back(residuals_against(reported, "P", "Residuals against normal load", units.P(),
-                                          [&](std::size_t i) { return data.points[i].P * units.force; }));
+      figures.push_back(residuals_against(
+          reported, "P", data.holds_approach() ? "Residuals against approach" : "Residuals against normal load",
+          units.P(), [&](std::size_t i) { return data.points[i].P * units.held; }));
   }
   return figures;
 }
