@@ -70,7 +70,10 @@ int run_curve(const Arguments& arguments) {
     fitted.print_areas([&](const Load& P) { return fitted.shears_to_the_jump(P, points); });
     return fitted.exit_code();
   }
-  const ContactModel model = model_from(FLAGS_model);
+  const ContactModel model = shaped_model_from(FLAGS_model);
+  if (model.is_elliptic())
+    throw UsageError(
+        "the curve of an elliptic contact is not a circle's: mixity predict --shape=ellipse has both axes");
   if (is_set("load") == is_set("shear"))
     throw UsageError("curve needs either --load (A against T) or --shear (a against P)");
   if (is_set("chord") && is_set("shear")) throw UsageError("flag '--chord' needs --load");

@@ -26,9 +26,16 @@ std::vector<Control> controls(const std::optional<Contact>& contact) {
   return list;
 }
 
+void refuse_stiffness(const ContactModel& model) {
+  if (model.is_elliptic() && is_set("stiffness"))
+    throw UsageError(
+        "--stiffness: of elliptic contacts the folds under load and displacement control are known; leave it out");
+}
+
 InstabilityReport of_flags(const ContactModel& model) {
+  refuse_stiffness(model);
   const ParameterValues p = parameters_from_flags(model);
-  const OutputUnits shown = output_units();
+  const OutputUnits shown = output_units(model.is_elliptic());
   const Load load = load_from("load", shown);
   InstabilityReport report{std::string(model.info().key), {}};
   report.stated = shown.stated;
@@ -51,6 +58,8 @@ InstabilityReport of_flags(const ContactModel& model) {
       fold.u /= shown.shear_weight;
       at.predicted.folds.push_back(as_prediction(fold));
     }
+    if (const auto end = model.closing(p, load.dimensionless, control))
+      at.predicted.closings.push_back({control, end->kind, {end->T}, {end->u}, {pi<double>() * end->a * end->b}});
   }
   report.loads.push_back(std::move(at));
   return report;
@@ -59,6 +68,7 @@ InstabilityReport of_flags(const ContactModel& model) {
 InstabilityReport of_fit(const FittedContact& fitted) {
   const Dataset& data = fitted.data();
   const FitResult& fit = fitted.fit();
+  refuse_stiffness(ContactModel::find(fit.model).value());
   InstabilityReport report{fit.model, {}, data.name + ", status " + std::string(to_string(fit.status))};
   if (data.contact)
     report.units = {data.display.force,
@@ -91,7 +101,7 @@ int run_instability(const Arguments& arguments) {
     print(of_fit(fitted));
     return fitted.exit_code();
   }
-  print(of_flags(model_from(FLAGS_model)));
+  print(of_flags(shaped_model_from(FLAGS_model)));
   return kFine;
 }
 

@@ -140,8 +140,11 @@ ParameterValues taken_from(Texts& given, const ContactModel& model, const std::s
     if (i == except) continue;
     const auto found = given.find(name);
     if (found == given.end())
-      throw UsageError("model " + key + (suffix.empty() ? "" : " of an ellipse") + " needs " +
-                       (info.name == "lambda" ? "--" + name : "--parameters=" + name + "=..."));
+      throw UsageError(
+          "model " + key + (suffix.empty() ? "" : " of an ellipse") + " needs " +
+          (info.name == "lambda" || info.name == "lambda_II" || info.name == "lambda_III" || name == kPoissonRatio
+               ? "--" + name
+               : "--parameters=" + name + "=..."));
     const auto value = parse_number(found->second);
     if (!value || !(*value >= info.lower && *value <= info.upper))
       throw UsageError(name + " is '" + found->second + "'; model " + key + " needs a number from " +
@@ -162,6 +165,12 @@ void require_no_other(const Texts& given, const ContactModel& model) {
 ContactModel model_from(const std::string& key) {
   require_model("model", key);
   return ContactModel::find(key).value();
+}
+
+ContactModel shaped_model_from(const std::string& key) {
+  const ContactModel model = model_from(key);
+  if (!is_elliptic() || model.is_elliptic()) return model;
+  return ContactModel::find(key + std::string(kEllipse)).value();
 }
 
 void require_contact(const ContactModel& model, const ParameterValues& p, double P) {

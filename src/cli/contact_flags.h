@@ -54,6 +54,9 @@ Load load_from(const std::string& flag, const OutputUnits& units);
 /// The model with this key; throws UsageError if there is none.
 ContactModel model_from(const std::string& key);
 
+/// The same, of elliptic contacts with --shape=ellipse.
+ContactModel shaped_model_from(const std::string& key);
+
 /// Throws UsageError if these parameters define no contact under the load P (ContactModel::obstacle).
 void require_contact(const ContactModel& model, const ParameterValues& p, double P = 0);
 

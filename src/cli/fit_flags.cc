@@ -38,7 +38,7 @@ void replace(Overrides& constants, const Overrides& with) {
 
 }  // namespace
 
-FitRequest request_for(const std::string& path) {
+FitRequest request_for(const std::string& path, const std::optional<std::string>& model) {
   FitRequest request;
   if (path.ends_with(".toml"))
     request = read_fit_definition(path);
@@ -56,6 +56,7 @@ FitRequest request_for(const std::string& path) {
   }
   if (!request.stated.contains("models"))
     request.models.insert(request.models.end(), laws_of_flags().begin(), laws_of_flags().end());
+  if (model) request.models = {*model};
   replace(request.constants, data_overrides());
   take_shape(request);
   if (const auto wrong = contradiction(request)) refuse(wrong->option, wrong->problem);

@@ -1,6 +1,7 @@
 // Flags of fits, and the requests made from them.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ DECLARE_bool(pool);
 namespace mixity::cli {
 
 /// The request of a definition, or the default one for a data file, with the flags applied. Throws UsageError.
-FitRequest request_for(const std::string& path);
+FitRequest request_for(const std::string& path, const std::optional<std::string>& model = {});
 
 /// One request per argument, or one for all with --pool. Throws UsageError.
 std::vector<FitRequest> requests_for(const std::vector<std::string>& arguments);

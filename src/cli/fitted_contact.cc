@@ -23,12 +23,8 @@ Analysis fitted(const std::string& command, const Arguments& arguments) {
     if (is_set(flag))
       throw UsageError("flag '--" + std::string(flag) + "' describes a single contact without data; " + path +
                        " is fitted");
-  FitRequest request = request_for(path);
-  if (is_set("model")) {
-    require_model("model", FLAGS_model);
-    request.models = {FLAGS_model};
-  }
-  Analysis result = run(request);
+  if (is_set("model")) require_model("model", FLAGS_model);
+  Analysis result = run(request_for(path, is_set("model") ? std::optional(FLAGS_model) : std::nullopt));
   const Dataset& data = result.data;
   if (!data.has_loads) throw InputError(data.path, "holds no loads and areas, which this is about");
   if (is_set("load") && std::find(data.notes.begin(), data.notes.end(), kLoadNotUsed) != data.notes.end())

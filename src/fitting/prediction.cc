@@ -95,6 +95,20 @@ std::vector<Fold> folds_at(const Dataset& data, const ContactModel& model, const
   return folds;
 }
 
+/// Where the edge of an elliptic contact closes before a fold, in measured quantities; without standard errors.
+std::optional<ClosingPrediction> closing_at(const Dataset& data, const ContactModel& model, const FitResult& fit,
+                                            const FitOptions& options, double P, Control control) {
+  const Candidate candidate = fitted_candidate(data, model, fit, options);
+  const ConstantsScale scale(candidate.constants);
+  const auto end = model.closing(candidate.parameters, scale.load(P), control);
+  if (!end) return std::nullopt;
+  return ClosingPrediction{control,
+                           end->kind,
+                           {scale.measured_shear(end->T)},
+                           {end->u / scale.displacement},
+                           {scale.measured_area(pi<double>() * end->a * end->b)}};
+}
+
 /// ln(a/b) of an elliptic contact at these measured loads; NaN where there is none.
 std::vector<double> axes_at(const ContactModel& model, const Candidate& candidate, std::span<const double> P,
                             std::span<const double> T) {
@@ -151,7 +165,7 @@ std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResul
 
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,
                                  const std::vector<Control>& controls) {
-  if (!has_all_values(fit)) return {{}, "the fit has no values"};
+  if (!has_all_values(fit)) return {{}, {}, "the fit has no values"};
   const ContactModel model = model_of(data, fit);
   FoldsPrediction predicted;
   for (const Control control : controls) {
@@ -172,6 +186,17 @@ FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, cons
     for (std::size_t i = 0; i < folds.size(); ++i)
       predicted.folds.push_back({control, folds[i].place.maximum, numbers[3 * i], numbers[3 * i + 1],
                                  numbers[3 * i + 2], folds[i].psi, folds[i].jumps_to, folds[i].area_after});
+    if (auto closing = closing_at(data, model, fit, options, P, control)) {
+      const std::vector<Derived> at = propagate(fit, [&](const FitResult& near) -> std::vector<std::optional<double>> {
+        const auto same = closing_at(data, model, near, options, P, control);
+        if (!same || same->end != closing->end) return std::vector<std::optional<double>>(3);
+        return {same->T.value, same->u.value, same->A.value};
+      });
+      closing->T = at[0];
+      closing->u = at[1];
+      closing->A = at[2];
+      predicted.closings.push_back(*closing);
+    }
   }
   return predicted;
 }

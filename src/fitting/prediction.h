@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fitting/result.h"
+#include "mechanics/ellipse.h"
 #include "mechanics/states.h"
 
 namespace mixity {
@@ -47,10 +48,18 @@ inline FoldPrediction as_prediction(const Fold& fold) {
   return {fold.control, fold.place.maximum, {fold.T}, {fold.u}, {fold.A}, fold.psi, fold.jumps_to, fold.area_after};
 }
 
+/// Where the edge of an elliptic contact closes before any fold under a control (EllipseEnd), as it would be measured.
+struct ClosingPrediction {
+  Control control;
+  EllipseEnd end;
+  Derived T, u, A;
+};
+
 /// Folds at a measured load under each of the controls, in the order of find_folds. The stiffness of a control is in
 /// units of xi^2 G_Ic of the data set's own constants.
 struct FoldsPrediction {
   std::vector<FoldPrediction> folds{};
+  std::vector<ClosingPrediction> closings{};
   std::string problem{};  // why there is no curve: fit without values, no contact, or no law
 };
 FoldsPrediction predict_folds_of(const Dataset& data, const FitResult& fit, const FitOptions& options, double P,

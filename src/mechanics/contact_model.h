@@ -136,6 +136,9 @@ class ContactModel {
   double first_stable_end(std::span<const double> p, double P) const;
   /// All folds in order along the curve from T = 0. T is accurate to 1e-13, A and u to 1e-12.
   std::vector<Fold> folds(std::span<const double> p, double P, Control control) const;
+  /// Where the edge of an elliptic contact closes before a fold under load or displacement control. Null if it does not,
+  /// and for circles.
+  std::optional<EllipseBranchEnd> closing(std::span<const double> p, double P, Control control) const;
   /// The regime for the strength tau0 > 0, or for unlimited strength if null. Null where there is no contact.
   std::optional<RegimeReport> regime(std::span<const double> p, double P, std::optional<double> tau0 = {}) const;
   SampledCurve curve(std::span<const double> p, double P, const CurveSampling& sampling) const;

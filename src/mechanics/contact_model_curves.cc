@@ -26,6 +26,10 @@ std::vector<Fold> ContactModel::folds(ParameterSpan p, double P, Control control
   });
 }
 
+std::optional<EllipseBranchEnd> ContactModel::closing(ParameterSpan p, double P, Control control) const {
+  return law_->ellipse ? elliptic::closing(*law_->ellipse, p, P, control) : std::nullopt;
+}
+
 std::optional<RegimeReport> ContactModel::regime(ParameterSpan p, double P, std::optional<double> tau0) const {
   if (law_->ellipse || law_->held) return std::nullopt;
   return with_contact(*law_, p, P, std::optional<RegimeReport>(),

@@ -191,14 +191,28 @@ double first_stable_end(const EllipticModel& model, ParameterSpan p, double P) {
   });
 }
 
-std::vector<Fold> folds(const EllipticModel& model, ParameterSpan p, double P, Control control) {
-  std::vector<Fold> list;
-  if (control.kind == Control::Kind::stiffness || !obstacle(model, p, P).empty() || above_pull_off(P) < 0) return list;
+namespace {
+
+/// The end of the branch that is stable under load or displacement control.
+std::optional<EllipseBranchEnd> end_under(const EllipticModel& model, ParameterSpan p, double P, Control control) {
+  if (control.kind == Control::Kind::stiffness || !obstacle(model, p, P).empty() || above_pull_off(P) < 0) return {};
   const auto ends = with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
     EllipticContact<Law> contact(law, II, III, nu, P);
     return contact.ends(contact.far_shear());
   });
-  const auto& end = control.kind == Control::Kind::load ? ends.load : ends.displacement;
+  return control.kind == Control::Kind::load ? ends.load : ends.displacement;
+}
+
+}  // namespace
+
+std::optional<EllipseBranchEnd> closing(const EllipticModel& model, ParameterSpan p, double P, Control control) {
+  const auto end = end_under(model, p, P, control);
+  return end && end->kind != EllipseEnd::fold ? end : std::nullopt;
+}
+
+std::vector<Fold> folds(const EllipticModel& model, ParameterSpan p, double P, Control control) {
+  std::vector<Fold> list;
+  const auto end = end_under(model, p, P, control);
   if (!end || end->kind != EllipseEnd::fold) return list;
   const double y = edge_load(std::sqrt(end->a * end->b), P), A = pi<double>() * end->a * end->b,
                after = P > 0 ? area_from_radius(hertz_radius(P)) : 0;

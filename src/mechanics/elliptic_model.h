@@ -40,6 +40,7 @@ void tangential_loads(const EllipticModel& model, std::span<const Values> p, Val
 Equilibria equilibria(const EllipticModel& model, ParameterSpan p, double P, std::span<const double> T);
 double first_stable_end(const EllipticModel& model, ParameterSpan p, double P);
 std::vector<Fold> folds(const EllipticModel& model, ParameterSpan p, double P, Control control);
+std::optional<EllipseBranchEnd> closing(const EllipticModel& model, ParameterSpan p, double P, Control control);
 SampledCurve curve(const EllipticModel& model, ParameterSpan p, double P, const CurveSampling& sampling);
 std::optional<double> shear_sensitivity(const EllipticModel& model, ParameterSpan p, double P);
 bool curve_distances(const EllipticModel& model, ParameterSpan p, const PlanePoints& points, bool derivatives,

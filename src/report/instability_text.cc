@@ -32,6 +32,28 @@ std::string control_text(const Control& control, const InstabilityUnits& units) 
   return text;
 }
 
+/// Adds T, u and A of a fold or a closing.
+template <class Place>
+void add_place(Json& entry, const Place& place, const InstabilityUnits& units, bool errors) {
+  const auto add = [&](const std::string& name, const Derived& number, double scale) {
+    entry[name] = *number.value * scale;
+    if (errors) entry[name + "_stderr"] = number.standard_error ? Json(*number.standard_error * scale) : Json();
+  };
+  add("T", place.T, units.force_scale);
+  add("u", place.u, units.displacement_scale);
+  add("A", place.A, units.area_scale);
+}
+
+Json closings_json(const FoldsPrediction& predicted, const InstabilityUnits& units, bool errors) {
+  Json closings = Json::array();
+  for (const ClosingPrediction& one : predicted.closings) {
+    Json entry = {{"control", to_string(one.control.kind)}, {"end", to_string(one.end)}};
+    add_place(entry, one, units, errors);
+    closings.push_back(entry);
+  }
+  return closings;
+}
+
 Json folds_json(const FoldsPrediction& predicted, const InstabilityUnits& units, bool errors) {
   Json folds = Json::array();
   for (const FoldPrediction& fold : predicted.folds) {
@@ -39,13 +61,7 @@ Json folds_json(const FoldsPrediction& predicted, const InstabilityUnits& units,
     if (fold.control.kind == Control::Kind::stiffness)
       entry["stiffness"] = fold.control.stiffness * units.stiffness_scale;
     entry["met_on"] = fold.on_loading ? "loading" : "reversal";
-    const auto add = [&](const std::string& name, const Derived& number, double scale) {
-      entry[name] = *number.value * scale;
-      if (errors) entry[name + "_stderr"] = number.standard_error ? Json(*number.standard_error * scale) : Json();
-    };
-    add("T", fold.T, units.force_scale);
-    add("u", fold.u, units.displacement_scale);
-    add("A", fold.A, units.area_scale);
+    add_place(entry, fold, units, errors);
     entry["psi"] = fold.psi;
     entry["jumps_to"] = to_string(fold.jumps_to);
     entry["area_lost"] = (*fold.A.value - fold.area_after) * units.area_scale;
@@ -69,7 +85,14 @@ std::string to_text(const InstabilityReport& report) {
   std::string without;
   for (const InstabilityReport::AtLoad& one : report.loads) {
     const FoldsPrediction& predicted = one.predicted;
-    if (predicted.folds.empty())
+    for (const ClosingPrediction& one_end : predicted.closings)
+      without += "    " + load + " = " + rounded(one.load, 6) + ", " + control_text(one_end.control, units) +
+                 ": the edge closes or slips at the ends of " + (one_end.end == EllipseEnd::closes_along ? "a" : "b") +
+                 ", where K_I is 0, before any fold: at T = " + number_text(one_end.T, units.force_scale) +
+                 unit_text(units.force) + ", u = " + number_text(one_end.u, units.displacement_scale) +
+                 unit_text(units.displacement) + ", A = " + number_text(one_end.A, units.area_scale) +
+                 unit_text(units.area) + '\n';
+    if (predicted.folds.empty() && predicted.closings.empty())
       without += "    " + load + " = " + rounded(one.load, 6) + ": " +
                  (predicted.problem.empty() ? "none" : predicted.problem) + '\n';
     if (slides_first(report, one))
@@ -109,6 +132,7 @@ std::string to_json(const InstabilityReport& report) {
   for (const InstabilityReport::AtLoad& one : report.loads) {
     Json entry = {{"load", one.load}, {"folds", folds_json(one.predicted, units, fitted)}};
     if (!one.predicted.problem.empty()) entry["problem"] = one.predicted.problem;
+    if (!one.predicted.closings.empty()) entry["closings"] = closings_json(one.predicted, units, fitted);
     loads.push_back(entry);
     if (slides_first(report, one)) sliding.push_back(one.load);
   }

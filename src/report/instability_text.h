@@ -39,7 +39,8 @@ std::string to_text(const InstabilityReport& report);
 /// [{control, stiffness (for that control), met_on ("loading" or "reversal"), T, u, A, psi, jumps_to, area_lost}]}. For
 /// a fit: {model, source, parameters: {name: {value, stderr}}, mode_III, units, slides_first: [loads] (if a
 /// shear strength is stated), loads: [{load, folds, problem (without folds)}]}, with T_stderr, u_stderr and A_stderr in
-/// the folds, null where unknown. Full precision.
+/// the folds, null where unknown. A load at which the edge of an elliptic contact closes before a fold has closings:
+/// [{control, end ("closes_along" or "closes_across"), T, u, A}]. Full precision.
 std::string to_json(const InstabilityReport& report);
 
 }  // namespace mixity

@@ -161,5 +161,63 @@ TEST(InstabilityCommand, SaysWhereTheInterfaceSlidesBeforeItJumps) {
   EXPECT_EQ(strong["slides_first"], nlohmann::json::array());
 }
 
+Words of_ellipse(const Words& more) {
+  Words words{"instability", "--shape=ellipse", "--poisson_ratio=0.5"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(InstabilityCommand, HasTheFoldsOfEllipses) {
+  const Json report =
+      json_of(of_ellipse({"--model=c", "--lambda_II=0.008", "--lambda_III=0", "--load=3", "--format=json"}));
+  EXPECT_EQ(report["model"], "c-ellipse");
+  ASSERT_EQ(report["folds"].size(), 2u);
+  // 6 digits, as `predict` says it of the same contact
+  const ProgramResult predicted = run_program({"predict", "--shape=ellipse", "--poisson_ratio=0.5", "--model=c",
+                                               "--lambda_II=0.008", "--lambda_III=0", "--load=3", "--shear=180"});
+  const std::size_t at = predicted.err.find("jumps at T = ");
+  ASSERT_NE(at, std::string::npos) << predicted.err;
+  const double T = std::strtod(predicted.err.c_str() + at + 13, nullptr);
+  EXPECT_NEAR(report["folds"][0]["T"], T, 1e-3);
+  EXPECT_GT(report["folds"][1]["u"], report["folds"][0]["u"]);
+  const ProgramResult refused =
+      run_program(of_ellipse({"--model=c", "--lambda_II=0.008", "--lambda_III=0", "--load=3", "--stiffness=1"}));
+  EXPECT_EQ(refused.exit_code, 2);
+}
+
+TEST(InstabilityCommand, SaysWhereTheEdgeOfAnEllipseCloses) {
+  const Words contact{"--model=b", "--lambda_II=0.8", "--lambda_III=0.2", "--load=300"};
+  Words as_json = contact;
+  as_json.emplace_back("--format=json");
+  const Json report = json_of(of_ellipse(as_json));
+  EXPECT_TRUE(report["folds"].empty());
+  ASSERT_EQ(report["closings"].size(), 2u);
+  EXPECT_EQ(report["closings"][0]["end"], "closes_along");
+  const std::string text = run_program(of_ellipse(contact)).out;
+  EXPECT_NE(text.find("the edge closes or slips at the ends of a"), std::string::npos) << text;
+  EXPECT_EQ(text.find("none"), std::string::npos) << text;
+}
+
+TEST(InstabilityCommand, KeepsTheShapeOfAFitWhoseModelIsNamed) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() + "/ellipses.csv";
+  const Words constants{"--radius=9.42 mm", "--modulus=2.133 MPa", "--toughness=27 mJ/m^2"};
+  Words simulate{"simulate",         "--shape=ellipse",  "--model=b",
+                 "--lambda_II=0.8",  "--lambda_III=0.2", "--poisson_ratio=0.5",
+                 "--loads=50,80 mN", "--sigma_A=0.5%",   "--sigma_T=0.5%",
+                 "--seed=1",         "--reach=0.9",      "--out=" + path};
+  simulate.insert(simulate.end(), constants.begin(), constants.end());
+  ASSERT_EQ(run_program(simulate).exit_code, 0);
+  const Json report = json_of({"instability", path, "--shape=ellipse", "--model=b", "--format=json"});
+  EXPECT_EQ(report["model"], "b-ellipse");
+  ASSERT_EQ(report["loads"].size(), 2u);
+  for (const Json& load : report["loads"]) {
+    const Json& closing = load["closings"].at(0);
+    const double T = closing["T"], error = closing["T_stderr"];
+    EXPECT_GT(error, 0);
+    EXPECT_LT(error, 0.02 * T);  // lambda is known to a percent
+  }
+}
+
 }  // namespace command_instability_test
 }  // namespace mixity::cli

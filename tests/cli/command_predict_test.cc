@@ -129,12 +129,10 @@ TEST(Program, PredictsTheAxesOfAnEllipse) {
   EXPECT_EQ(result.exit_code, 0);
 }
 
-TEST(Program, OtherCommandsRefuseAnEllipse) {
-  for (const char* command : {"curve", "instability"}) {
-    const ProgramResult result = run_program({command, "--model=c", "--lambda=0.1", "--load=3", "--shape=ellipse"});
-    EXPECT_NE(result.exit_code, 0);
-    EXPECT_NE(result.err.find("shape"), std::string::npos) << result.err;
-  }
+TEST(Program, TheCurveOfAnEllipseIsRefused) {
+  const ProgramResult result = run_program({"curve", "--model=c", "--lambda=0.1", "--load=3", "--shape=ellipse"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("mixity predict --shape=ellipse"), std::string::npos) << result.err;
 }
 
 TEST(Program, AnEllipseHasParametersOfBothModesAndPoissonsRatio) {
