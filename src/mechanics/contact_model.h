@@ -111,7 +111,11 @@ class ContactModel {
   /// parameters are computed together.
   void areas(std::span<const Values> p, Values P, Values T, std::span<double> A,
              std::span<EquilibriumStatus> status) const;
-  /// The same for one set of parameters and one load.
+  /// ln(a/b) of the semi-axes along and across the shear, with the same arguments; 0 for circles, NaN where status[i] is
+  /// not ok.
+  void axis_ratios(std::span<const Values> p, Values P, Values T, std::span<double> q,
+                   std::span<EquilibriumStatus> status) const;
+  /// The same areas for one set of parameters and one load.
   void areas_at(std::span<const double> p, double P, std::span<const double> T, std::span<double> A,
                 std::span<EquilibriumStatus> status) const;
   /// Derivatives of these areas: slopes[k][i] = dA[i]/d parameter k, each span as long as A. NaN where A[i] is NaN; not

@@ -118,13 +118,34 @@ void each_point(const EllipticModel& model, std::span<const Values> parameters, 
 
 }  // namespace
 
-void areas(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> A,
-           std::span<EquilibriumStatus> status) {
-  each_point(model, p, P, A.size(), [&](auto* const contact, std::size_t i, bool valid) {
+namespace {
+
+/// Calls use(i, state) for each point.
+template <class Use>
+void each_state(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::size_t n,
+                const Use& use) {
+  each_point(model, p, P, n, [&](auto* const contact, std::size_t i, bool valid) {
     const double shear = std::abs(T[i]);
     EllipseState state{valid && shear <= kLargestLoad ? EquilibriumStatus::no_equilibrium : EquilibriumStatus::invalid};
     if (contact && shear <= kLargestLoad) state = contact->at(shear);
+    use(i, state);
+  });
+}
+
+}  // namespace
+
+void areas(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> A,
+           std::span<EquilibriumStatus> status) {
+  each_state(model, p, P, T, A.size(), [&](std::size_t i, const EllipseState& state) {
     A[i] = pi<double>() * state.a * state.b;
+    status[i] = state.status;
+  });
+}
+
+void axis_ratios(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> q,
+                 std::span<EquilibriumStatus> status) {
+  each_state(model, p, P, T, q.size(), [&](std::size_t i, const EllipseState& state) {
+    q[i] = std::log(state.a / state.b);
     status[i] = state.status;
   });
 }

@@ -101,6 +101,26 @@ void bind_fits(nb::module_& m) {
                high[k] = A[k] + half;
              }
              return nb::make_tuple(numpy_of(A), numpy_of(low), numpy_of(high));
+           })
+      .def("axes",  // a and b, each with its band; NaN if unknown
+           [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T, double confidence) {
+             const std::vector<AreaPrediction> found = without_gil([&] {
+               return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
+                                       {T.data(), T.size()});
+             });
+             const double quantile = normal_quantile(0.5 + confidence / 2), none = std::nan(""),
+                          unit = std::sqrt(result.data.display.area_scale);
+             const auto with_band = [&](Derived AreaPrediction::*axis) {
+               std::vector<double> value, low, high;
+               for (const AreaPrediction& one : found) {
+                 const double half = quantile * (one.*axis).standard_error.value_or(none);
+                 value.push_back(unit * (one.*axis).value.value_or(none));
+                 low.push_back(value.back() - unit * half);
+                 high.push_back(value.back() + unit * half);
+               }
+               return nb::make_tuple(numpy_of(value), numpy_of(low), numpy_of(high));
+             };
+             return nb::make_tuple(with_band(&AreaPrediction::a), with_band(&AreaPrediction::b));
            });
   results.def("folds", [](const Analysis& result, std::size_t i, double P, const std::string& control,
                           double stiffness) {

@@ -2,6 +2,7 @@
 
 import pickle
 
+import numpy as np
 import pytest
 
 import mixity
@@ -27,6 +28,29 @@ def test_data_with_axes_travel_whole(data):
     again = pickle.loads(pickle.dumps(data))
     first, second = (mixity.fit(one, "c-ellipse")["c-ellipse"].params["lambda_III"].value for one in (data, again))
     assert first == second
+
+
+def test_axes_are_those_of_a_reference_solution():
+    # 45 digits, as in tests/mechanics/contact_model_ellipses_test.cc
+    a, b = mixity.axes("c-ellipse", (0.008, 0.0, 0.5), 3.0, [0.0, 95.3202193183654, 180.0])
+    assert a[0] == b[0] and abs(a[1] / 2.54799398314334041 - 1) < 1e-13 and abs(b[1] / 2.60750787687640354 - 1) < 1e-13
+    assert np.isnan(a[2]) and np.isnan(b[2])
+    area = mixity.area("c-ellipse", (0.008, 0.0, 0.5), 3.0, 95.3202193183654)
+    assert abs(np.pi * a[1] * b[1] / area - 1) < 1e-15 * 4  # a few roundings
+    one, other = mixity.axes("c", 0.008, 3.0, 50.0)
+    assert one == other
+
+
+def test_a_fit_predicts_axes_with_bands(data):
+    fit = mixity.fit(data, "c", shape="ellipse")["c-ellipse"]
+    T = np.array([[0.0, 10.0], [20.0, 1e4]])  # mN
+    (a, a_low, a_high), (b, b_low, b_high) = fit.axes(1.5, T)
+    A = fit.area(1.5, T)[0]
+    assert a.shape == T.shape and np.isnan(a[1, 1])
+    assert np.nanmax(abs(np.pi * a * b / A - 1)) < 1e-12
+    assert b[1, 0] > a[1, 0] and a_low[1, 0] < a[1, 0] < a_high[1, 0] and b_low[1, 0] < b[1, 0] < b_high[1, 0]
+    with pytest.raises(mixity.InputError, match="shape"):
+        mixity.fit(data, "c", checks=False)["c"].axes(1.5, T)
 
 
 def test_couplings_are_tied(data):

@@ -28,6 +28,7 @@ from ._fitting import fit
 from ._mechanics import (
     STATUS,
     area,
+    axes,
     curve,
     displacement,
     folds,
@@ -53,6 +54,7 @@ __all__ = [
     "Runs",
     "__version__",
     "area",
+    "axes",
     "campaign",
     "check",
     "curve",

@@ -146,6 +146,35 @@ class Fit(_Described):
         A, low, high = (one.reshape(P.shape) for one in self._fits._results.areas(self._index, *flat, confidence))
         return A, low, high
 
+    def axes(
+        self, P: ArrayLike, T: ArrayLike, confidence: float = 0.95
+    ) -> tuple[tuple[FloatArray, FloatArray, FloatArray], tuple[FloatArray, FloatArray, FloatArray]]:
+        """Predicted semi-axes of an elliptic contact, as they would be measured, with their bands.
+
+        Parameters
+        ----------
+        P, T, confidence
+            As for :meth:`area`.
+
+        Returns
+        -------
+        (a, low, high), (b, low, high) : ndarray
+            Along and across the shear, in the length whose square is ``data.units["area"]``. NaN as in :meth:`area`.
+
+        Raises
+        ------
+        InputError
+            The model is that of a circle: fit with ``shape="ellipse"``.
+        """
+        if "-ellipse" not in self.model:
+            raise _core.InputError(f'model {self.model} is that of a circle; fit with shape="ellipse" for its axes')
+        if not 0 < confidence < 1:
+            raise _core.InputError(f"confidence is {confidence}; it must lie between 0 and 1")
+        P, T = np.broadcast_arrays(self._load("P", P), self._load("T", T))
+        flat = (np.ascontiguousarray(one).reshape(-1) for one in (P, T))
+        a, b = (tuple(one.reshape(P.shape) for one in axis) for axis in self._fits._results.axes(self._index, *flat, confidence))
+        return a, b
+
     def _load(self, name: str, loads: Any) -> FloatArray:
         """Dimensionless loads, from loads in the data's unit or quantities."""
         core = self.data._core

@@ -110,6 +110,39 @@ def tangential_load(
     return evaluate(_core.tangential_loads, model, lam, arrays, units.force, out)[0]
 
 
+def axes(
+    model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None
+) -> tuple[FloatArray, FloatArray]:
+    """Semi-axes of an elliptic contact along and across the shear, on the branch that starts at T = 0.
+
+    Parameters
+    ----------
+    model : str
+        Of elliptic contacts: "a-ellipse", "b-ellipse", "c-ellipse", "bk-ellipse". A circle has two equal axes.
+    lam : tuple of array_like
+        (lambda_II, lambda_III, poisson_ratio), in the order of :func:`models`.
+    P, T, contact
+        As for :func:`area`. With ``contact`` the axes are in m.
+
+    Returns
+    -------
+    a, b : ndarray
+        Relative error below 1e-13 away from a fold; NaN beyond the last equilibrium. ``area`` is pi a b.
+
+    Examples
+    --------
+    >>> a, b = axes("c-ellipse", (0.008, 0.0, 0.5), 3.0, 95.3202193183654)
+    >>> round(float(a), 10), round(float(b), 10)
+    (2.5479939831, 2.6075078769)
+    """
+    units = Units(contact)
+    loads = units.without("P", P), units.without("T", T)
+    A, _ = evaluate(_core.areas, model, lam, loads, units.area, None, np.uint8)
+    q, _ = evaluate(_core.axis_ratios, model, lam, loads, 1.0, None, np.uint8)
+    mean = np.sqrt(A / np.pi)
+    return mean * np.exp(q / 2), mean * np.exp(-q / 2)
+
+
 @overload
 def displacement(
     model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
