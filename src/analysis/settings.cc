@@ -59,7 +59,9 @@ struct Objectives {
 struct Held {
   static Complaint read(const std::string& item, std::vector<HeldParameter>& hold) {
     const auto held = parse_held(item);
-    if (!held) return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER";
+    if (!held || parse_number(item))
+      return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER" +
+             (held ? "; numbers in this list have decimal points" : "");
     if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
       return "names " + in_quotes(held->name) + " twice";
     return hold.push_back(*held), Complaint();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace mixity {
 namespace {
@@ -16,6 +17,16 @@ std::string written(double value, Form... form) {
 }  // namespace
 
 std::string shortest(double value) { return written(value); }
+
+double as_decimal(double value) {
+  constexpr int kDigits = 12;
+  constexpr double kRoundings = 8 * std::numeric_limits<double>::epsilon();  // of to and fro: some six operations
+  if (!std::isfinite(value)) return value;
+  const std::string brief = significant(value, kDigits);
+  double shown = value;
+  std::from_chars(brief.data(), brief.data() + brief.size(), shown);
+  return std::abs(shown - value) <= kRoundings * std::abs(value) ? shown : value;
+}
 
 std::string significant(double value, int digits) { return written(value, std::chars_format::general, digits); }
 

@@ -8,6 +8,10 @@ namespace mixity {
 /// The shortest decimal text that reads back as exactly this (finite) double.
 std::string shortest(double value);
 
+/// The value without the rounding of a change of units, which moves 1.2 to 1.1999999999999997: the number of at most 12
+/// digits that lies within a few roundings of it; the value itself if there is none.
+double as_decimal(double value);
+
 /// The value rounded to this many significant digits: 1.7e+03.
 std::string significant(double value, int digits);
 

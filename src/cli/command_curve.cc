@@ -16,7 +16,7 @@ namespace {
 std::size_t point_count() { return count_from("points", 2, 10000000); }
 
 void print_at_load(const ContactModel& model, const ParameterValues& p, const OutputUnits& units) {
-  const Load load = load_from("load", units);
+  const Load load = load_from(flag_of_loads("load"), units);
   require_contact(model, p, load.dimensionless);
   if (above_pull_off(load.dimensionless) < 0)
     throw refused("load", "no contact exists below the pull-off load -3 pi/2 R G_Ic");
@@ -74,13 +74,13 @@ int run_curve(const Arguments& arguments) {
   if (model.is_elliptic())
     throw UsageError(
         "the curve of an elliptic contact is not a circle's: mixity predict --shape=ellipse has both axes");
-  if (is_set("load") == is_set("shear"))
-    throw UsageError("curve needs either --load (A against T) or --shear (a against P)");
+  const bool at_load = is_set("load") || is_set("loads");
+  if (at_load == is_set("shear")) throw UsageError("curve needs either --load (A against T) or --shear (a against P)");
   if (is_set("chord") && is_set("shear")) throw UsageError("flag '--chord' needs --load");
   if (is_set("chord") && is_set("points")) throw UsageError("flags '--points' and '--chord': give one of them");
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits units = output_units();
-  is_set("load") ? print_at_load(model, p, units) : print_at_shear(model, p, units);
+  at_load ? print_at_load(model, p, units) : print_at_shear(model, p, units);
   return kFine;
 }
 

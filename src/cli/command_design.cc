@@ -72,7 +72,7 @@ void print_as_csv(const std::vector<LoadCandidate>& candidates) {
     for (const Expectation::Rival& rival : candidates[0].expected.rivals) std::cout << ",chi2_" << rival.model;
   std::cout << '\n';
   for (const LoadCandidate& one : candidates) {
-    std::cout << shortest(one.load / kMilli) << ','
+    std::cout << shortest(as_decimal(one.load / kMilli)) << ','
               << (one.expected.standard_error ? shortest(*one.expected.standard_error) : "");
     for (const Expectation::Rival& rival : one.expected.rivals) std::cout << ',' << shortest(rival.chi2);
     std::cout << '\n';

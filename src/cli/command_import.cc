@@ -1,6 +1,10 @@
 // mixity import: converts the output of a plot digitiser to a data CSV.
+#include <filesystem>
+
+#include "base/toml_file.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
+#include "dataset/metadata.h"
 #include "dataset/table/plot_import.h"
 
 DEFINE_string(x, "", "header of the column on the x axis, with its unit: \"T [mN]\"");
@@ -31,7 +35,13 @@ int run_import(const Arguments& arguments) {
     if (load.unit.text != options.loads.front().unit.text ||
         (!load.unit.text.empty() && load.unit.dimension != dimension::force))
       throw refused("loads", "all loads must be forces in one unit");
-  print_or_write(import_plot(arguments[0], options));
+  const std::string table = import_plot(arguments[0], options), stated = metadata_path(FLAGS_out);
+  std::error_code unknown;
+  if (!FLAGS_out.ends_with(".csv") || std::filesystem::exists(stated, unknown) || unknown)
+    return print_or_write(table), kFine;
+  // Constants are added to it by hand: a later import leaves it alone.
+  write_outputs(
+      {{FLAGS_out, table}, {stated, "provenance = \"digitised\"\nsource = " + toml_text(command_line()) + "\n"}});
   return kFine;
 }
 

@@ -36,7 +36,7 @@ InstabilityReport of_flags(const ContactModel& model) {
   refuse_stiffness(model);
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits shown = output_units(model.is_elliptic());
-  const Load load = load_from("load", shown);
+  const Load load = load_from(flag_of_loads("load"), shown);
   InstabilityReport report{std::string(model.info().key), {}};
   report.stated = shown.stated;
   if (shown.contact)

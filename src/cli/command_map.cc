@@ -20,7 +20,8 @@ struct Range {
   double low, high;
   std::size_t points = count_from("grid", 2, 10000);
   double at(std::size_t i) const {
-    return i + 1 < points ? low + (high - low) * static_cast<double>(i) / static_cast<double>(points - 1) : high;
+    const double share = static_cast<double>(i) / static_cast<double>(points - 1);
+    return i + 1 < points ? as_decimal(low + (high - low) * share) : high;
   }
 };
 
@@ -60,7 +61,7 @@ std::string finite_or_empty(double value) { return std::isfinite(value) ? shorte
 void print_grid(const ContactModel& model, const Range& loads, ParameterValues p, std::size_t axis, const Range& values,
                 std::optional<double> tau0, const OutputUnits& units) {
   std::cout << units.headings("P") << ',' << model.parameters()[axis].name << ','
-            << units.headings("regime,fracture,T_end,jumps_to,T_strength") << '\n';
+            << units.headings("regime,fracture,T_end,jumps_to,T_strength,regime_name,fracture_name") << '\n';
   for (std::size_t i = 0; i < loads.points; ++i)
     for (std::size_t j = 0; j < values.points; ++j) {
       const double P = loads.at(i);
@@ -68,13 +69,14 @@ void print_grid(const ContactModel& model, const Range& loads, ParameterValues p
       std::cout << shortest(P) << ',' << shortest(p[axis]) << ',';
       const auto report = model.regime(p, P / units.force_scale, tau0);
       if (!report) {  // no unique equilibrium
-        std::cout << ",,,,\n";
+        std::cout << ",,,,,,\n";
         continue;
       }
       std::cout << static_cast<int>(report->regime) << ',' << static_cast<int>(report->fracture) << ','
                 << finite_or_empty(report->T_end * units.shear_scale()) << ','
                 << (report->jumps_to ? to_string(*report->jumps_to) : "") << ','
-                << (report->T_strength ? shortest(*report->T_strength * units.shear_scale()) : "") << '\n';
+                << (report->T_strength ? shortest(*report->T_strength * units.shear_scale()) : "") << ','
+                << to_string(report->regime) << ',' << to_string(report->fracture) << '\n';
     }
 }
 

@@ -17,9 +17,9 @@ std::string points_csv(const Dataset& data) {
     const DisplayUnits& units = data.display;
     column("curve", [&](std::size_t i) { return data.curves[data.points[i].curve]; });
     column.quantity(data.held_name(), data.held_unit(),
-                    [&](std::size_t i) { return data.points[i].P * data.held_scale(); });
-    column.quantity("T", units.force, [&](std::size_t i) { return data.points[i].T * units.force_scale; });
-    column.quantity("A", units.area, [&](std::size_t i) { return data.points[i].A * units.area_scale; });
+                    [&](std::size_t i) { return as_decimal(data.points[i].P * data.held_scale()); });
+    column.quantity("T", units.force, [&](std::size_t i) { return as_decimal(data.points[i].T * units.force_scale); });
+    column.quantity("A", units.area, [&](std::size_t i) { return as_decimal(data.points[i].A * units.area_scale); });
   }
   const auto converted = [&](auto value) {
     return [&data, value](std::size_t i) {

@@ -47,7 +47,7 @@ constexpr const char* kColumns = "P,T,y,a,A,u,psi,f,status";
 void predict(const ContactModel& model) {
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits units = output_units();
-  const Load load = load_from("load", units);
+  const Load load = load_from(flag_of_loads("load"), units);
   const Shears shears(units);
   require_contact(model, p, load.dimensionless);
   const std::vector<Equilibrium> found = model.equilibria(p, load.dimensionless, shears.T).at;
@@ -71,7 +71,7 @@ double approach_from_flag(const OutputUnits& units) {
 
 /// The approach is held in place of the load (mechanics/held_approach.h).
 void predict_under_approach(const ContactModel& model) {
-  if (is_set("load")) throw UsageError("--approach and --load: one of them is held");
+  if (is_set("load") || is_set("loads")) throw UsageError("--approach and --load: one of them is held");
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits units = output_units();
   HeldApproach held{approach_from_flag(units)};
@@ -107,7 +107,7 @@ void predict_ellipse(const ContactModel& model) {
   if (is_set("approach"))
     throw UsageError("--approach and --shape=ellipse: a held approach is known for circles alone");
   const OutputUnits units = output_units(true);
-  const Load load = load_from("load", units);
+  const Load load = load_from(flag_of_loads("load"), units);
   const Shears shears_given(units);
   const std::vector<Load>& shears = shears_given.shown;
   const std::vector<double>& T = shears_given.T;
@@ -155,7 +155,9 @@ void predict_ellipse(const ContactModel& model) {
 
 int run_predict(const Arguments& arguments) {
   if (!arguments.empty()) {
-    if (is_set("approach")) throw UsageError("--approach needs --model in place of data; approaches of data are stated by --loads=\"3, 8 um\"");
+    if (is_set("approach"))
+      throw UsageError(
+          "--approach needs --model in place of data; approaches of data are stated by --loads=\"3, 8 um\"");
     const FittedContact fitted("predict", arguments);
     const std::vector<Load> shears = fitted.loads_of("shear");
     fitted.print_areas([&](const Load&) { return shears; });

@@ -15,13 +15,14 @@
 namespace mixity::cli {
 namespace {
 
-/// The page of the explorer: in the installation, of an own build (tools/explorer), or of this version; empty if there is
-/// none.
+/// The page of the explorer: in the installation, of an own build (tools/explorer), or of this version; empty if there
+/// is none.
 std::string explorer() {
   std::error_code unread;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unread);
   if (unread) return {};
-  for (const char* place : {"../share/mixity/explorer.html", "../../explorer/explorer.html", "../../../docs/explorer.html"})
+  for (const char* place :
+       {"../share/mixity/explorer.html", "../../explorer/explorer.html", "../../../docs/explorer.html"})
     if (const auto path = (program.parent_path() / place).lexically_normal();
         std::filesystem::is_regular_file(path, unread))
       return path.string();

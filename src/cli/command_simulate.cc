@@ -27,7 +27,7 @@ int run_simulate(const Arguments& arguments) {
   const double force = data.display.force_scale, area = data.display.area_scale;
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& point = data.points[i];
-    table << csv_field(data.curves[point.curve]) << ',' << shortest(point.P * data.held_scale()) << ','
+    table << csv_field(data.curves[point.curve]) << ',' << shortest(as_decimal(point.P * data.held_scale())) << ','
           << shortest(point.T * force) << ',' << shortest(point.A * area) << ',' << shortest(data.errors[i].T * force)
           << ',' << shortest(data.errors[i].A * area);
     if (!data.axes.empty()) {

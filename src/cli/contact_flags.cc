@@ -41,7 +41,6 @@ OutputUnits output_units(bool of_ellipse) {
   units.stated = metadata;
   const auto modulus = metadata.plane_strain_modulus();
   const int given = metadata.radius.has_value() + modulus.has_value() + metadata.toughness.has_value();
-  if (is_set("loads")) throw UsageError("flag '--loads' is of a data file; a contact by itself has one --load");
   if (given == 0 && is_set("units")) throw UsageError("flag '--units' needs --radius, --modulus and --toughness");
   if (given == 0) return units;
   if (given < 3) throw UsageError("a dimensional prediction needs all of --radius, --modulus and --toughness");
@@ -96,15 +95,15 @@ std::vector<Load> loads_from(const std::string& flag, const OutputUnits& units) 
     if (quantity.unit.dimension != dimension::force)
       throw UsageError("flag '--" + flag + "' must be a force such as \"3 mN\"");
     const bool same = quantity.unit.factor == units.force_unit.factor;
-    loads.push_back(
-        {quantity.si() / contact->force_unit(), same ? quantity.value : quantity.si() / units.force_unit.factor});
+    loads.push_back({quantity.si() / contact->force_unit(),
+                     same ? quantity.value : as_decimal(quantity.si() / units.force_unit.factor)});
   }
   return loads;
 }
 
 Load load_from(const std::string& flag, const OutputUnits& units) {
   const std::vector<Load> loads = loads_from(flag, units);
-  if (loads.size() != 1) throw UsageError("flag '--" + flag + "' must be one number");
+  if (loads.size() != 1) throw not_one_number(flag);
   return loads[0];
 }
 
@@ -117,7 +116,9 @@ Texts parameter_texts() {
   Texts given;
   for (const std::string& item : list_from("parameters")) {
     const std::size_t equals = item.find('=');
-    if (equals == std::string::npos) throw refused("parameters", "'" + item + "' is not NAME=NUMBER");
+    if (equals == std::string::npos)
+      throw refused("parameters", "'" + item + "' is not NAME=NUMBER" +
+                                      (parse_number(item) ? "; with decimal commas, separate by semicolons" : ""));
     const std::string name(trim(std::string_view(item).substr(0, equals)));
     if (!given.emplace(name, item.substr(equals + 1)).second)
       throw UsageError("flag '--parameters' names '" + name + "' twice");

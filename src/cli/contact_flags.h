@@ -38,7 +38,8 @@ void print_numbers(std::initializer_list<double> numbers);
 bool is_elliptic();
 
 /// Made from --radius, --modulus (or --youngs_modulus and --poisson_ratio), --toughness, --units and --mode_III. Throws
-/// UsageError if only some of the first are given. `of_ellipse`: --shape=ellipse and --poisson_ratio alone are accepted.
+/// UsageError if only some of the first are given. `of_ellipse`: --shape=ellipse and --poisson_ratio alone are
+/// accepted.
 OutputUnits output_units(bool of_ellipse = false);
 
 struct Load {

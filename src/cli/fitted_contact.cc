@@ -27,8 +27,6 @@ Analysis fitted(const std::string& command, const Arguments& arguments) {
   Analysis result = run(request_for(path, is_set("model") ? std::optional(FLAGS_model) : std::nullopt));
   const Dataset& data = result.data;
   if (!data.has_loads) throw InputError(data.path, "holds no loads and areas, which this is about");
-  if (is_set("load") && std::find(data.notes.begin(), data.notes.end(), kLoadNotUsed) != data.notes.end())
-    throw UsageError("flag '--load': " + path + " has its own loads; state others by --loads");
   return result;
 }
 
@@ -36,6 +34,13 @@ Analysis fitted(const std::string& command, const Arguments& arguments) {
 
 FittedContact::FittedContact(const std::string& command, const Arguments& arguments)
     : result_(fitted(command, arguments)), best_(by_merit(result_).front()) {
+  // --load is that of the data where they state none
+  const std::vector<Message>& notes = data().notes;
+  if (is_set("load") && std::find(notes.begin(), notes.end(), kLoadNotUsed) != notes.end()) {
+    loads_ = loads_of(flag_of_loads("loads"));
+    if (loads_.size() != 1) throw not_one_number("load");
+    return;
+  }
   if (is_set("loads")) {
     loads_ = loads_of("loads");
     return;
@@ -43,13 +48,13 @@ FittedContact::FittedContact(const std::string& command, const Arguments& argume
   std::vector<double> of_runs = data().curve_loads;
   std::sort(of_runs.begin(), of_runs.end(), std::greater<>());
   of_runs.erase(std::unique(of_runs.begin(), of_runs.end()), of_runs.end());
-  for (const double load : of_runs) loads_.push_back({load, load * data().held_scale()});
+  for (const double load : of_runs) loads_.push_back({load, as_decimal(load * data().held_scale())});
 }
 
 std::vector<Load> FittedContact::loads_of(const std::string& flag) const {
   std::vector<Load> loads;
   const Dataset& of = data();
-  const bool held = flag == "loads" && of.holds_approach();
+  const bool held = flag.starts_with("load") && of.holds_approach();
   const double scale = held ? of.held_scale() : of.display.force_scale;
   const double unit = !of.contact ? 1  // of the data, in SI
                                   : (held ? of.contact->displacement_unit() : of.contact->force_unit()) / scale;
@@ -60,8 +65,9 @@ std::vector<Load> FittedContact::loads_of(const std::string& flag) const {
                        (of.contact ? held ? "approaches such as \"3, 8 um\"" : "forces such as \"3, 8 mN\""
                                    : "numbers: the data are dimensionless"));
     // 4 mN are shown as exactly 4 mN
-    const double shown =
-        bare || load.unit.text == (held ? of.held_unit() : of.display.force) ? load.value : load.si() / unit;
+    const double shown = bare || load.unit.text == (held ? of.held_unit() : of.display.force)
+                             ? load.value
+                             : as_decimal(load.si() / unit);
     loads.push_back({shown / scale, shown});
   }
   return loads;

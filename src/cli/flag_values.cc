@@ -2,6 +2,8 @@
 
 #include <gflags/gflags.h>
 
+#include <algorithm>
+
 #include "base/number_text.h"
 #include "base/text.h"
 
@@ -28,6 +30,14 @@ UsageError must(const std::string& flag, const std::string& be) {
   return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; it must " + be);
 }
 
+UsageError not_one_number(const std::string& flag) {
+  std::string point = value_of(flag);
+  if (!parse_quantity(point)) return must(flag, "be one number");
+  std::replace(point.begin(), point.end(), ',', '.');
+  return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; it must be one number: write \"" + point +
+                    "\" if the comma is a decimal comma");
+}
+
 double number_from(const std::string& flag, double low, double high) {
   const auto value = parse_number(value_of(flag));
   if (!value || !(*value >= low && *value <= high))
@@ -43,11 +53,16 @@ std::size_t count_from(const std::string& flag, std::size_t least, std::size_t m
   return static_cast<std::size_t>(*number);
 }
 
+std::string flag_of_loads(const std::string& usual) {
+  if (is_set("load") && is_set("loads")) throw UsageError("flags '--load' and '--loads': give one of them");
+  return is_set("load") ? "load" : is_set("loads") ? "loads" : usual;
+}
+
 std::vector<std::string> list_from(const std::string& flag) {
   const std::string value = value_of(flag);
   std::vector<std::string> items;
   if (value.empty()) return items;
-  for (const std::string_view item : split(value)) {
+  for (const std::string_view item : split(value, value.find(';') == std::string::npos ? ',' : ';')) {
     if (item.empty()) throw refused(flag, "entry " + std::to_string(items.size() + 1) + " is empty");
     items.emplace_back(item);
   }

@@ -21,13 +21,20 @@ UsageError refused(std::string_view flag, const std::string& problem);
 /// The error "flag '--goal' is 'x'; it must be error or model", from "be error or model".
 UsageError must(const std::string& flag, const std::string& be);
 
+/// The error for a list in place of one number, which may be a number with a decimal comma.
+UsageError not_one_number(const std::string& flag);
+
 /// A number from low to high, both included.
 double number_from(const std::string& flag, double low, double high = 1e150);
 
 /// A whole number from `least` to `most`.
 std::size_t count_from(const std::string& flag, std::size_t least, std::size_t most = 1000000000);
 
-/// Comma-separated items, trimmed; none is empty.
+/// --load or --loads, whichever was given: where there is no data file they are one flag. `usual` if neither was.
+std::string flag_of_loads(const std::string& usual);
+
+/// Comma-separated items, trimmed; none is empty. Where there are semicolons they separate, and numbers may have
+/// decimal commas.
 std::vector<std::string> list_from(const std::string& flag);
 
 /// A quantity for which `suits` is true; `be` as in must().

@@ -22,8 +22,11 @@ DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(
     load, "",
     "normal load P, compression positive: a number, or a force such as \"3 mN\" if the contact has dimensions; for a "
-    "data file, the load of all points if no column states it");
-DEFINE_string(loads, "", "normal loads, such as \"7.7,3.8 mN\", or held approaches, \"3,8 um\"; for import, one for each data set, in order");
+    "data file, the load of all points if no column states it; where neither is a data file's, the same as --loads");
+DEFINE_string(
+    loads, "",
+    "normal loads, such as \"7.7,3.8 mN\", or with decimal commas \"7,7; 3,8 mN\", or held approaches, \"3,8 um\"; "
+    "for import, one for each data set, in order");
 DEFINE_string(load_range, "-4,40", "smallest and largest normal load: \"0.5, 10 mN\", or dimensionless");
 DEFINE_string(points, "201",
               "number of points of a curve, evenly spaced in phi; for design and simulate, points of a run, at equal "
@@ -154,9 +157,9 @@ FigureFormats figure_formats() {
 
 std::string formats_text(const Command& command) { return alternatives(command.formats); }
 
-Overrides data_overrides() {
-  Overrides overrides = metadata_overrides();
-  add_set(false, overrides);
+Overrides data_overrides(std::span<const std::string_view> except) {
+  Overrides overrides = metadata_overrides(except);
+  add_set(false, overrides, except);
   return overrides;
 }
 

@@ -39,7 +39,7 @@ const std::string& command_line();
 FigureFormats figure_formats();
 
 /// The metadata flags that were given. Throws UsageError if one is unusable.
-Overrides data_overrides();
+Overrides data_overrides(std::span<const std::string_view> except = {});
 
 /// The same without flags about reading the file, and without those in `except`.
 Overrides metadata_overrides(std::span<const std::string_view> except = {});

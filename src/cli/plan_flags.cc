@@ -29,18 +29,20 @@ void require_affordable(const Plan& plan, const PointCost& cost) {
 
 Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   Plan plan;
-  Overrides constants = data_overrides();
+  constexpr std::string_view kOfRuns[]{"load"};  // the same as --loads
+  Overrides constants = data_overrides(kOfRuns);
   plan.model = FLAGS_model;
   if (take_ellipse(constants)) plan.model += kEllipse;
   const ParameterValues p = parameters_from_flags(model_from(plan.model));
   plan.parameters.assign(p.begin(), p.end());
   plan.constants = stated_by(constants);
-  if (is_set("loads"))
-    for (const Quantity& load : quantities_from("loads")) {
+  if (const std::string flag = flag_of_loads(""); !flag.empty())
+    for (const Quantity& load : quantities_from(flag)) {
       const bool held = plan.constants.control == NormalControl::approach;
       if (load.unit.dimension != (held ? dimension::length : dimension::force))
-        throw refused("loads", held ? "a held approach needs a unit such as um" : "a load needs a unit such as mN");
+        throw refused(flag, held ? "a held approach needs a unit such as um" : "a load needs a unit such as mN");
       plan.loads.push_back(load.si());
+      if (flag == "load" && plan.loads.size() > 1) throw not_one_number(flag);
     }
   else if (needs_loads)
     throw UsageError("flag '--loads' is missing: the normal load of each run, \"1,2,4 mN\"");

@@ -150,6 +150,10 @@ struct Fold {
 ///   1 shrinks to a non-Hertzian area    2 shrinks smoothly to Hertz    3 reaches a critical point and jumps
 ///   4 slides first: T = tau0 A, the strength of the interface, is reached before 1, 2 or 3 is complete
 enum class Regime { asymptote = 1, hertz = 2, jump = 3, strength = 4 };
+inline std::string_view to_string(Regime regime) {
+  constexpr std::string_view kNames[]{"", "shrinks", "reaches_hertz", "jumps", "slides_first"};
+  return name_among(kNames, regime);
+}
 
 struct RegimeReport {
   Regime fracture;                   // 1, 2 or 3: the regime for unlimited strength

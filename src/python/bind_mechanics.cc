@@ -170,6 +170,8 @@ void bind_mechanics(nb::module_& m) {
         nb::dict one;
         one["regime"] = static_cast<int>(found.regime);
         one["fracture"] = static_cast<int>(found.fracture);
+        one["regime_name"] = std::string(to_string(found.regime));
+        one["fracture_name"] = std::string(to_string(found.fracture));
         one["T_end"] = found.T_end;
         one["T_strength"] = found.T_strength;
         one["jumps_to"] = found.jumps_to ? std::optional(std::string(to_string(*found.jumps_to))) : std::nullopt;

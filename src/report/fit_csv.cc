@@ -122,7 +122,8 @@ std::string residuals(const Dataset* alone, std::span<const Analysis> results) {
   };
   const auto measured = [](auto member, auto scale) {
     return [=](const ResidualRow& row) {
-      return row.data->has_loads ? std::optional(row.point().*member * row.data->display.*scale) : std::nullopt;
+      return row.data->has_loads ? std::optional(as_decimal(row.point().*member * row.data->display.*scale))
+                                 : std::nullopt;
     };
   };
   Table<ResidualRow> table(alone, results);
@@ -181,8 +182,8 @@ void add_curves(CsvTable<CurveRow>& table, const Analysis& result, const FitResu
       if (f < kInfinity) table.add({&data, &fit, 0, {}, {}, {}, psi, f});
   for (std::size_t curve = 0; data.has_loads && curve < data.curves.size(); ++curve)
     for (const StableState& state : stable_states(data, result.request.options, fit, curve, kPoints))
-      table.add({&data, &fit, curve, data.curve_loads[curve] * data.held_scale(), state.T * units.force_scale,
-                 state.A * units.area_scale, state.psi, state.f});
+      table.add({&data, &fit, curve, as_decimal(data.curve_loads[curve] * data.held_scale()),
+                 state.T * units.force_scale, state.A * units.area_scale, state.psi, state.f});
 }
 
 std::string predicted_curves(const Dataset* alone, std::span<const Analysis> results) {
@@ -258,12 +259,14 @@ std::string used_csv(const Dataset& data) {
   const DisplayUnits& units = data.display;
   CsvTable<std::size_t> column;
   const auto measured = [&](const char* name, const std::string& unit, double Point::*value, double scale) {
-    column.quantity(name, unit, [&data, value, scale](std::size_t i) { return data.points[i].*value * scale; });
+    column.quantity(name, unit,
+                    [&data, value, scale](std::size_t i) { return as_decimal(data.points[i].*value * scale); });
   };
   const auto stated = [&](const char* name, const std::string& unit, double PointErrors::*value, double scale) {
     const auto is_stated = [&](const PointErrors& errors) { return errors.*value != kNotStated; };
     if (!data.errors.empty() && std::all_of(data.errors.begin(), data.errors.end(), is_stated))
-      column.quantity(name, unit, [&data, value, scale](std::size_t i) { return data.errors[i].*value * scale; });
+      column.quantity(name, unit,
+                      [&data, value, scale](std::size_t i) { return as_decimal(data.errors[i].*value * scale); });
   };
   if (data.has_loads) {
     column("curve", [&](std::size_t i) { return "run " + std::to_string(data.points[i].curve + 1); });

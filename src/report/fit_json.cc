@@ -26,7 +26,7 @@ struct FitDocument {
 };
 
 /// A load in the unit of the file.
-auto shown_load(const double& P, const Within& in) { return P * in.result->data.held_scale(); }
+auto shown_load(const double& P, const Within& in) { return as_decimal(P * in.result->data.held_scale()); }
 
 }  // namespace
 

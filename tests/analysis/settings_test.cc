@@ -113,6 +113,14 @@ TEST(Settings, FormatsOfFiguresAreAList) {
   EXPECT_EQ(set_option(request, "formats", "pdf,pdf"), "names 'pdf' twice");
 }
 
+TEST(Settings, AskForADecimalPointWhereACommaSeparates) {
+  FitRequest request;
+  EXPECT_EQ(set_option(request, "hold", "lambda=0,01"),
+            "has '01', which is neither a parameter nor PARAMETER=NUMBER; numbers in this list have decimal points");
+  EXPECT_EQ(set_option(request, "confidence", "0,9"), "");
+  EXPECT_EQ(request.options.confidence, 0.9);
+}
+
 TEST(Settings, SuggestTheNameThatWasMeant) {
   const auto begin_of = [](std::string_view name, const char* text) {
     FitRequest request;

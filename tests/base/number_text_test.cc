@@ -17,6 +17,17 @@ TEST(NumberText, RoundedAvoidsExponentsAReaderDoesNotNeed) {
   EXPECT_EQ(rounded(0, 3), "0");
 }
 
+TEST(NumberText, DecimalTakesOffTheRoundingsOfAConversionOnly) {
+  for (const char* text : {"1.2", "3.7", "0.3", "-2.6", "0.115838", "7.73194", "1e-05"}) {
+    const double right = std::strtod(text, nullptr);
+    EXPECT_EQ(as_decimal(right), right);
+    for (const double unit : {1e-3, 1e-6, 27e-3 * 9.42e-3}) EXPECT_EQ(as_decimal(right * unit / unit), right) << text;
+  }
+  EXPECT_EQ(as_decimal(1.1999999999999997), 1.2);
+  for (const double other : {1.19999999999999, 1.0 / 3, 0.0, 4.71238898038469, 1e300, 5e-324})
+    EXPECT_EQ(as_decimal(other), other);
+}
+
 TEST(NumberText, SignificantKeepsExponents) {
   EXPECT_EQ(significant(1696.4, 2), "1.7e+03");
   EXPECT_EQ(significant(0.25, 4), "0.25");

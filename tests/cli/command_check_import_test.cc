@@ -76,6 +76,17 @@ TEST(Program, AnImportCanBeFitted) {
   EXPECT_EQ(run_program({"import", plot, "--x=T", "--y=A", "--loads=1,5", "--out", data}).out, "");
   EXPECT_EQ(content_of(data), shown.out);
   EXPECT_EQ(run_program({"fit", data, "--models=c"}).exit_code, 0);
+  EXPECT_NE(run_program({"check", data}).out.find("provenance: digitised"), std::string::npos);
+  EXPECT_NE(content_of(folder.path("data.toml")).find("plot.csv"), std::string::npos);
+}
+
+TEST(Program, AnImportLeavesTheConstantsBesideIt) {
+  const TemporaryFolder folder;
+  const std::string plot = folder.write("plot.csv", "a,\nX,Y\n0,19.6\n5,19.3\n10,18.2\n"),
+                    constants = folder.write("data.toml", "note = \"mine\"\n");
+  ASSERT_EQ(run_program({"import", plot, "--x=T", "--y=A", "--loads=1", "--out", folder.path("data.csv")}).exit_code,
+            0);
+  EXPECT_EQ(content_of(constants), "note = \"mine\"\n");
 }
 
 TEST(Program, TwoStatementsOfTheModulusAreBadUsage) {

@@ -68,6 +68,26 @@ TEST(DesignCommand, RefusesWhatCannotBePlanned) {
   }
 }
 
+TEST(SimulateCommand, TakesOneLoadUnderEitherNameAndPrintsItAsStated) {
+  const auto simulated = [](const Words& loads) {
+    Words words{"simulate",         "--model=c",           "--lambda=0.004",
+                "--radius=9.42 mm", "--modulus=2.133 MPa", "--toughness=27 mJ/m^2",
+                "--points=3"};
+    words.insert(words.end(), loads.begin(), loads.end());
+    return run_program(words);
+  };
+  for (const char* load : {"1.2", "2", "3.7", "0.3"}) {
+    const ProgramResult one = simulated({std::string("--load=") + load + " mN"});
+    ASSERT_EQ(one.exit_code, 0) << one.err;
+    EXPECT_EQ(fields_of(lines_of(one.out)[1])[1], load);
+    EXPECT_EQ(one.out, simulated({std::string("--loads=") + load + " mN"}).out);
+  }
+  EXPECT_EQ(simulated({"--load=1 mN", "--loads=2 mN"}).complaint(),
+            "mixity: flags '--load' and '--loads': give one of them");
+  EXPECT_EQ(simulated({"--load=1,2 mN"}).exit_code, 2);  // one load with a decimal comma, or two
+  EXPECT_EQ(simulated({"--loads=1,2; 3,5 mN"}).out, simulated({"--loads=1.2,3.5 mN"}).out);
+}
+
 TEST(SimulateCommand, WritesAnExperimentThatCanBeFitted) {
   const TemporaryFolder folder;
   const std::string path = folder.path("x.csv");

@@ -18,16 +18,18 @@ TEST(MapCommand, PrintsTheGridOfRegimes) {
   EXPECT_EQ(result.exit_code, 0);
   const auto lines = lines_of(result.out);
   ASSERT_EQ(lines.size(), 26u);
-  EXPECT_EQ(lines[0], "P,lambda,regime,fracture,T_end,jumps_to,T_strength");
+  EXPECT_EQ(lines[0], "P,lambda,regime,fracture,T_end,jumps_to,T_strength,regime_name,fracture_name");
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const auto fields = fields_of(lines[i]);
-    ASSERT_EQ(fields.size(), 7u) << lines[i];
+    ASSERT_EQ(fields.size(), 9u) << lines[i];
     const double P = std::stod(fields[0]), lambda = std::stod(fields[1]);
     const double kc = (1 - lambda / 2) * std::cos(kPi * lambda / 4), P_c = 1.5 * kPi / (kc * kc);
     EXPECT_EQ(fields[2], lambda == 0 ? "1" : P < P_c ? "3" : "2") << lines[i];
     EXPECT_EQ(fields[3], fields[2]);
     EXPECT_EQ(fields[5], lambda > 0 && P < P_c ? "hertz" : "") << lines[i];
     EXPECT_EQ(fields[6], "");
+    EXPECT_EQ(fields[7], lambda == 0 ? "shrinks" : P < P_c ? "jumps" : "reaches_hertz") << lines[i];
+    EXPECT_EQ(fields[8], fields[7]);
   }
 }
 
@@ -39,6 +41,8 @@ TEST(MapCommand, PrintsTheStrengthIfAsked) {
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const auto fields = fields_of(lines[i]);
     EXPECT_EQ(fields[2], "4") << lines[i];  // so weak an interface slides first
+    EXPECT_EQ(fields[7], "slides_first") << lines[i];
+    EXPECT_NE(fields[8], fields[7]) << lines[i];
     const double P = std::stod(fields[0]), S0 = std::sqrt(9 * kPi * kPi + 6 * kPi * P);
     const double A0 = kPi * std::pow(0.75 * (P + 3 * kPi + S0), 2.0 / 3);
     EXPECT_NEAR(std::stod(fields[6]), 1e-3 * A0, 1e-5 * 1e-3 * A0);  // A differs from A0 by alpha T^2, 1e-6

@@ -38,6 +38,30 @@ TEST(Program, PredictPrintsTheStateOfTheContact) {
   }
 }
 
+TEST(Program, OneLoadHasEitherNameAndADecimalPoint) {
+  const auto predicted = [](const std::string& load, const std::string& radius = "9.42 mm") {
+    return run_program({"predict", "--model=c", "--lambda=0.004", load, "--shear=1,2 mN", "--radius=" + radius,
+                        "--modulus=2.133 MPa", "--toughness=27 mJ/m^2"});
+  };
+  const ProgramResult right = predicted("--load=3.5 mN");
+  ASSERT_EQ(right.exit_code, 0) << right.err;
+  EXPECT_EQ(predicted("--loads=3.5 mN").out, right.out);
+  EXPECT_EQ(fields_of(lines_of(predicted("--load=1200 uN").out)[1])[0], "1.2");
+  EXPECT_EQ(predicted("--load=3.5 mN", "9,42 mm").out, right.out);
+  EXPECT_EQ(predicted("--load=2,133 mN").complaint(),
+            "mixity: flag '--load' is '2,133 mN'; write \"2.133 mN\" or \"2133 mN\"");
+  // or two loads
+  for (const char* comma : {"--load=3,5 mN", "--loads=3,5 mN"})
+    EXPECT_NE(
+        predicted(comma).complaint().find("it must be one number: write \"3.5 mN\" if the comma is a decimal comma"),
+        std::string::npos);
+  EXPECT_EQ(predicted("--loads=1,2,3 mN").complaint(), "mixity: flag '--loads' is '1,2,3 mN'; it must be one number");
+  EXPECT_EQ(predicted("--load=1 mN", "9.42 mm").exit_code, 0);
+  for (const char* command : {"curve", "instability"})
+    EXPECT_EQ(run_program({command, "--model=c", "--lambda=0.2", "--loads=2"}).out,
+              run_program({command, "--model=c", "--lambda=0.2", "--load=2"}).out);
+}
+
 TEST(Program, PredictWithUnitsIsTheSameContact) {
   Words words = predict("c", "0.1", "1 mN", "1e-6 kN");
   for (const char* word : {"--radius=9.42 mm", "--modulus=2.133 MPa", "--toughness=27 mJ/m^2"}) words.push_back(word);

@@ -27,6 +27,7 @@ def test_arrays_are_those_of_the_published_law(law):
     one, other = (mixity.folds(model, 0.15, 2.0)[0] for model in (law, "c"))
     assert one["T"] == pytest.approx(other["T"], rel=1e-12) and one["jumps_to"] == other["jumps_to"]
     assert mixity.regime(law, 0.15, 2.0)["regime"] == mixity.regime("c", 0.15, 2.0)["regime"]
+    assert mixity.regime("c", 0.15, 2.0)["regime_name"] == "jumps"
     assert mixity.displacement(law, 0.15, 2.0, 5.0) == pytest.approx(mixity.displacement("c", 0.15, 2.0, 5.0), rel=1e-12)
 
 

@@ -233,7 +233,8 @@ def regime(
     """The regime of the contact when it is sheared: 1 shrinks to an asymptote, 2 to Hertz, 3 jumps, 4 slides first.
 
     ``shear_strength`` is tau_0 of T = tau_0 A. Returns a dict: regime, fracture (the regime for unlimited strength),
-    T_end, T_strength, jumps_to.
+    regime_name and fracture_name (the same as words: shrinks, reaches_hertz, jumps, slides_first), T_end, T_strength,
+    jumps_to.
     """
     units = Units(contact)
     tau0 = None if shear_strength is None else float(shear_strength) / units.stress
