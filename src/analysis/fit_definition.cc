@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "base/toml_file.h"
+#include "fitting/constants.h"
 
 namespace mixity {
 namespace {
@@ -228,9 +229,17 @@ class Reader {
       if (std::find(request.models.begin(), request.models.end(), model) == request.models.end())
         fail(*table.get("published"), "model " + model + " has published numbers and is not fitted");
       for (const Published& number : published)
-        if (number.name != "r2" && !has_parameter({model}, number.name))
+        if (number.name != "r2" && number.name != "chi2" && !has_parameter({model}, number.name) &&
+            !is_fitted_constant(number.name, request))
           fail(*table.get("published"), "model " + model + " has no parameter \"" + number.name + "\"");
     }
+  }
+
+  /// Whether the name is that of a free constant, or of one of a series: "toughness(2)".
+  static bool is_fitted_constant(const std::string& name, const FitRequest& request) {
+    const auto constant = constant_named(name.substr(0, name.ends_with(')') ? name.find('(') : name.npos));
+    const auto& free = request.options.free;
+    return constant && std::find(free.begin(), free.end(), *constant) != free.end();
   }
 
   const std::string& path_;

@@ -69,7 +69,8 @@ std::string fit_definition_text(const FitRequest& request, const Dataset& data, 
     if (std::find(request.models.begin(), request.models.end(), model) == request.models.end()) continue;
     out << "\n[published." << model << "]\n";
     for (const Published& one : numbers)
-      out << one.name << " = {value = " << shortest(one.value) << ", tolerance = " << shortest(one.tolerance) << "}\n";
+      out << (one.name.ends_with(')') ? toml_text(one.name) : one.name) << " = {value = " << shortest(one.value)
+          << ", tolerance = " << shortest(one.tolerance) << "}\n";  // that of a series is no bare key
   }
   return out.str();
 }

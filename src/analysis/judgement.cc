@@ -31,8 +31,8 @@ std::vector<Agreement> compare(const FitResult& fit, const FitRequest& request) 
   for (const Published& number : published->second) {
     std::optional<double> found;
     if (number.name == "r2") found = fit.r2;
-    for (const FittedParameter& parameter : fit.parameters)
-      if (parameter.name == number.name) found = parameter.value;
+    if (number.name == "chi2" && fit.known_errors) found = fit.sum_of_squares;
+    if (const FittedParameter* const parameter = find_parameter(fit.parameters, number.name)) found = parameter->value;
     agreements.push_back({number, found && std::abs(*found - number.value) <= number.tolerance});
   }
   return agreements;

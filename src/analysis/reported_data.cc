@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <set>
+#include <utility>
 
 #include "analysis/judgement.h"
 #include "analysis/result_names.h"
@@ -78,7 +79,11 @@ ReportedData reported_data(const Analysis& result, const std::string& stem) {
 }
 
 std::vector<ReportedData> reported_data(std::vector<Analysis>& results) {
-  std::stable_partition(results.begin(), results.end(), [](const Analysis& one) { return one.data.has_loads; });
+  const auto rank = [](const Analysis& one) {
+    return std::pair(one.data.metadata.provenance == Provenance::reconstructed, !one.data.has_loads);
+  };
+  std::stable_sort(results.begin(), results.end(),
+                   [&](const Analysis& one, const Analysis& other) { return rank(one) < rank(other); });
   make_names_unique(results);
   std::vector<ReportedData> data;
   data.reserve(results.size());

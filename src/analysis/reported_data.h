@@ -33,7 +33,8 @@ struct ReportedData {
 /// Throws InputError if the file of peak forces cannot be used.
 ReportedData reported_data(const Analysis& result, const std::string& stem);
 
-/// One per analysis of a report. Moves contacts to the front, as they have jumps to predict, and makes names unique.
+/// One per analysis of a report. Moves reconstructed data to the end, which say nothing of the physics, and before that
+/// contacts to the front, as they have jumps to predict. Makes names unique.
 std::vector<ReportedData> reported_data(std::vector<Analysis>& results);
 
 }  // namespace mixity

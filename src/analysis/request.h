@@ -15,7 +15,8 @@
 
 namespace mixity {
 
-/// A published number of one model: a parameter, or "r2" (in the fitted space).
+/// A published number of one model: a parameter; a constant that is fitted, as it is named in the result ("toughness",
+/// "toughness(2)" of a series) and in its unit there; "r2" (in the fitted space); or "chi2", where errors are known.
 struct Published {
   std::string name;
   double value, tolerance;  // agreement: |found - value| <= tolerance, from the printed digits

@@ -29,7 +29,8 @@ struct EnergyDistance {
 template <class Law>
 class EnergyCurve {
  public:
-  EnergyCurve(const Law& law, const Parameters<Law>& p) : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)) {}
+  EnergyCurve(const Law& law, const Parameters<Law>& p)
+      : law_(law), p_(p), slope_at_mode_I_(-law.small_shear(p)), beside_corner_(has_tangent() ? 0 : beside_corner()) {}
 
   /// Distance of the point (G_I, G_II) from the law, with standard errors > 0 and `toughness` = G_Ic > 0, all in one
   /// unit of energy per area. A measured G_II < 0 is compared with the law's tangent at psi = 0. Derivatives in the
@@ -54,16 +55,18 @@ class EnergyCurve {
     const double lever_I = n_I * nearest.G_I / target.sigma_I, lever_II = n_II * nearest.G_II / target.sigma_II;
     r.log_toughness = lever_I + lever_II;
     if (!slopes) return r;
-    // at a fixed psi the law moves along its ray, by d ln f
-    r.parameters = law_.log_toughness(p_, mixity_from_mode_ratio(std::max(nearest.B, kTiny))).gradient;
+    // at a fixed psi the law moves along its ray, by d ln f; at a corner it does not
+    const bool at_corner = !has_tangent() && nearest.B == 0;
+    const double B = has_tangent() || at_corner ? std::max(nearest.B, kTiny) : nearest.B;
+    const double along_ray = at_corner ? 0 : r.log_toughness;
+    r.parameters = law_.log_toughness(p_, mixity_from_mode_ratio(B)).gradient;
     for (double& slope : r.parameters)
-      slope = nearest.on_tangent ? n_I / target.sigma_I * slope / kTiny * nearest.G_II : r.log_toughness * slope;
+      slope = nearest.on_tangent ? n_I / target.sigma_I * slope / kTiny * nearest.G_II : along_ray * slope;
     return r;
   }
 
  private:
   static constexpr double kTiny = 1e-18;  // the mode ratio at which the first term of ln f suffices
-  static constexpr double kCorner = 1e-12;
   static constexpr int kNodes = 48;
 
   struct Target {
@@ -75,11 +78,22 @@ class EnergyCurve {
     bool at_end = false, on_tangent = false;
   };
 
+  /// Otherwise the law has a corner at psi = 0, as bk with eta < 1 and powers below 1 have.
+  bool has_tangent() const { return std::isfinite(slope_at_mode_I_); }
+  /// Where the search begins at a corner: close to it, as f may go like B^0.01, and where f - 1 is no rounding yet.
+  double beside_corner() const {
+    constexpr double kResolved = 1e-8, kFirst = 1e-40, kLast = 1e-12;
+    double B = kFirst;
+    while (B < kLast && !(std::abs(law_.shear_term(p_, std::sqrt(1 - B), std::sqrt(B)).value) > kResolved)) B *= 1e4;
+    return B;
+  }
+
   Nearest at(double B) const {
     const double c = std::sqrt(1 - B), s = std::sqrt(B);
     const ShearTerm<double> tau2 = law_.shear_term(p_, c, s);
     const double h = (1 - B) + tau2.value;
-    const double slope = B > kTiny ? -1 + tau2.value / B - tau2.d1 / (2 * B * c) : -1 - slope_at_mode_I_;
+    const bool in_limit = has_tangent() && B <= kTiny;
+    const double slope = in_limit ? -1 - slope_at_mode_I_ : -1 + tau2.value / B - tau2.d1 / (2 * B * c);
     // tau^2 is homogeneous of degree 2, its derivatives in y of degrees 1 and 0
     const double Bc = B * c, of_d1 = 0.5 * (tau2.d1 / B - tau2.d2 / Bc);
     const double bend =
@@ -125,7 +139,8 @@ class EnergyCurve {
       if (slope == 0) return here;
       (slope < 0 ? low : high) = B;
       double next = B - slope / half_bend(target, here);
-      if (!(next > low && next < high && std::abs(next - B) <= 0.5 * before)) next = 0.5 * (low + high);
+      if (!(next > low && next < high && std::abs(next - B) <= 0.5 * before))
+        next = low > 0 && high > 100 * low ? std::sqrt(low * high) : 0.5 * (low + high);
       before = std::abs(next - B);
       B = next;
       if (before <= 1e-7 * std::min(B, 1 - B)) break;
@@ -135,11 +150,12 @@ class EnergyCurve {
 
   Nearest find(const Target& target) const {
     // Nodes uniform in psi, up to where the energies are finite; each sign change of the slope from - to + is a
-    // minimum. For bk with eta < 1 the slope at psi = 0 is infinite: a corner.
-    Nearest best = std::isfinite(slope_at_mode_I_) ? node(0) : at(kCorner), before = best;
+    // minimum.
+    Nearest before = has_tangent() ? node(0) : at(beside_corner_), best = before;
+    if (!has_tangent()) best.B = 0, best.G_I = 1, best.G_II = 0;
     best.at_end = true;
     double least = square(target, best), slope = half_slope(target, before);
-    if (std::isfinite(slope_at_mode_I_) && slope > 0) {  // beyond psi = 0, on the tangent G_I = 1 + slope G_II
+    if (has_tangent() && slope > 0) {  // beyond psi = 0, on the tangent G_I = 1 + slope G_II
       const double m = slope_at_mode_I_, a = m / target.sigma_I, b = 1 / target.sigma_II;
       const double t = (a * (target.G_I - 1) / target.sigma_I + b * target.G_II / target.sigma_II) / (a * a + b * b);
       if (t <= 0) {
@@ -158,11 +174,14 @@ class EnergyCurve {
           least = found;
         }
       }
-      if (i == kNodes && next < 0)
-        if (const double found = square(target, here); found < least) {
-          best = here;
+      if (i == kNodes && next < 0) {
+        Nearest end = here;
+        if (const double h = law_.shear_term(p_, 0.0, 1.0).value; h > 0) end.B = 1, end.G_I = 0, end.G_II = 1 / h;
+        if (const double found = square(target, end); found < least) {
+          best = end;
           best.at_end = true;
         }
+      }
       before = here;
       slope = next;
     }
@@ -174,6 +193,7 @@ class EnergyCurve {
   [[no_unique_address]] Law law_;
   Parameters<Law> p_;
   double slope_at_mode_I_;  // dG_I/dG_II there
+  double beside_corner_;
 };
 
 /// The law as a polygon, for distances that are only accurate enough to separate basins of minima.

@@ -41,6 +41,26 @@ TEST(FitDefinition, StatesPublishedNumbersOfEllipticModelsToo) {
   }
 }
 
+TEST(FitDefinition, StatesPublishedNumbersOfFittedConstantsAndChiSquared) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& free, const std::string& name) {
+    return read_fit_definition(folder.write("fit.toml", "data = \"a.csv\"\nmodels = [\"c\"]\n" + free +
+                                                            "[published.c]\n" + name +
+                                                            " = {value = 2, tolerance = 0.5}\n"));
+  };
+  const std::string free = "free = [\"toughness\"]\n";
+  for (const char* name : {"chi2", "toughness", "\"toughness(2)\""}) {
+    const FitRequest request = read(free, name);
+    const std::string text = fit_definition_text(request, {}, folder.path("saved.toml"));
+    EXPECT_EQ(read_fit_definition(folder.write("saved.toml", text)).published.at("c").at(0).name,
+              request.published.at("c").at(0).name)
+        << text;
+  }
+  for (const char* name : {"modulus", "\"toughness(2\"", "\"lambda(2)\""})
+    EXPECT_THROW(read(free, name), InputError) << name;
+  EXPECT_THROW(read("", "toughness"), InputError);
+}
+
 TEST(FitDefinition, IsNamedWhereNoFileMatchesItsPattern) {
   const TemporaryFolder folder;
   const std::string path = folder.write("fit.toml", "\ndata = \"none_*.csv\"\n");

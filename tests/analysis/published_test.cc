@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "analysis/fit_definition.h"
 #include "analysis/judgement.h"
@@ -20,12 +21,16 @@ std::vector<std::string> definitions() {
   return paths;
 }
 
+/// Measured data that no law describes within the stated errors: their fits say so.
+const std::set<std::string> kUndescribed{"im7_8552_mmb", "snow_weak_layers_manual", "snow_weak_layers_video"};
+
 class Published : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Published, ValuesAreFoundAgain) {
   const Analysis result = run(read_fit_definition(GetParam()));
   std::size_t compared = 0;
-  EXPECT_TRUE(can_be_believed(result));  // of mergel2018, models a and b are left far behind by c
+  // of mergel2018, models a and b are left far behind by c
+  EXPECT_EQ(can_be_believed(result), !kUndescribed.contains(std::filesystem::path(GetParam()).stem().string()));
   for (const FitResult& fit : result.fits) {
     for (const Agreement& agreement : compare(fit, result.request)) {
       ++compared;

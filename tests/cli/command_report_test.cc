@@ -49,6 +49,19 @@ TEST(Report, NamesItsPageAndRepeatsItsCommand) {
   EXPECT_NE(page.find("(90 % interval)"), std::string::npos);
 }
 
+TEST(Report, PutsContactsFirstAndReconstructedDataLast) {
+  const TemporaryFolder folder;
+  const std::string fits = MIXITY_ROOT "/fits/";
+  folder.write("dry.csv", "P,T,A\n1,0,9.3\n1,2,9.2\n1,4,9\n1,6,8.6\n");
+  const ProgramResult result = run_program({"report", fits + "waters_guduru2010.toml", fits + "mergel2018.toml",
+                                            kDefinition, folder.path("dry.csv"), "--out", folder.path("out")});
+  std::string order;
+  for (const std::string& line : lines_of(result.out))
+    for (const char* name : {"dry", "as4_peek_mmb", "mergel2018", "waters_guduru2010"})
+      if (line.starts_with(name + std::string(" ("))) order += name + std::string(" ");
+  EXPECT_EQ(order, "dry as4_peek_mmb mergel2018 waters_guduru2010 ") << result.out << result.err;
+}
+
 TEST(Report, OfTheSameDataTwiceKeepsBoth) {
   const TemporaryFolder folder;
   const ProgramResult result = run_program({"report", kDefinition, kDefinition, "--out", folder.path("out")});

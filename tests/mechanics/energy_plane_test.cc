@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "mechanics/contact_model.h"
+#include "mechanics/laws/known_laws.h"
 #include "mechanics/model_types.h"
 
 namespace mixity {
@@ -49,6 +51,44 @@ TEST(EnergyPlaneOfBk, PointsAboveGIcAreNearTheStretchThatRisesFromIt) {
     // the walk's steps of 5e-5 of B leave their square over the distance
     EXPECT_NEAR(std::abs(law.distance(measured.G_I, measured.G_II, 0.01, 0.01, 1).value), least, 1e-5);
   }
+}
+
+/// A law that leaves the axis of mode I with an infinite slope may be far from it at a mode ratio of 1e-12 already: the
+/// points beyond such a corner are nearest to the corner itself, (1, 0), which no parameter of the law moves.
+TEST(EnergyPlaneOfBk, PointsBeyondACornerAreNearestToItsTip) {
+  for (const Parameters<BenzeggaghKenane>& p : {Parameters<BenzeggaghKenane>{0.5, 0.1}, {0.7, 0.02}}) {
+    const EnergyCurve law(BenzeggaghKenane{}, p);
+    for (const Point& measured : {Point{1.1, 0.0005}, Point{1.02, 1e-5}, Point{1.3, 0}}) {
+      const auto r = law.distance(measured.G_I, measured.G_II, 0.02, 0.001, 1);
+      const double off_I = (measured.G_I - 1) / 0.02, off_II = measured.G_II / 0.001;
+      EXPECT_DOUBLE_EQ(r.value, -std::hypot(off_I, off_II)) << p[1] << ' ' << measured.G_I;
+      EXPECT_EQ(r.parameters[0], 0);
+      EXPECT_EQ(r.parameters[1], 0);
+      EXPECT_NEAR(r.log_toughness, off_I / -r.value / 0.02, 1e-12 * r.log_toughness);  // the corner moves with G_Ic
+    }
+  }
+}
+
+/// The power law with exponents below 1 touches both axes along them: (G_I/G_Ic)^m + (G_II/(r G_Ic))^n = 1.
+TEST(EnergyPlaneOfPowers, PointsBeyondEitherEndAreNearestToIt) {
+  LawError error;
+  ASSERT_TRUE(define_law(
+      {"hollow", "K_I^(2*m) + (K_II^2/r)^n = 1", {{"r", 0.05, 1000, 2}, {"m", 0.2, 5, 1}, {"n", 0.2, 5, 1}}}, error))
+      << error.message;
+  const ContactModel model = *ContactModel::find("hollow");
+  const auto distance = [&](const std::vector<double>& p, const Point& measured) {
+    const std::vector<double> G_I{measured.G_I}, G_II{measured.G_II}, sigma_I{0.02}, sigma_II{0.02}, G_Ic{1};
+    std::vector<double> value(1), log_toughness(1);
+    model.energy_distances(p, {G_I, G_II, sigma_I, sigma_II, G_Ic}, {value, log_toughness, {}});
+    return value[0];
+  };
+  for (const double r : {1.5, 1000.0})
+    for (const double m : {0.2, 0.26, 0.9}) {
+      const double away = -std::hypot(0.1, 0.0005) / 0.02;
+      EXPECT_NEAR(distance({r, m, 0.2}, {1.1, 0.0005}), away, 1e-13) << r << ' ' << m;  // roundings of 1.1 over 0.02
+      // cosines below 1e-20 are that: where m is 0.2, G_II at the end is 3e-7 below r
+      EXPECT_NEAR(distance({r, 0.2, m}, {0.0005, r + 0.1}), away, 3e-7 * r / 0.02) << r << ' ' << m;
+    }
 }
 
 TYPED_TEST(EnergyPlane, NearestPointIsThatOfADenseWalkAlongTheLaw) {

@@ -69,6 +69,17 @@ void fit(AxisScale& scale, const AxisRange& range, double first, double last) {
   scale.from = first;
 }
 
+/// Where the frame has to end for the labels of x to stay in the drawing.
+double right_for_labels(const Layout& layout) {
+  double right = layout.right;
+  for (const Tick& tick : layout.x.ticks) {
+    const double share = (layout.x.of(tick.value) - layout.left) / (layout.right - layout.left);
+    const double room = layout.width - 1 - 0.5 * label_width(tick.label, kFont) - layout.left;
+    if (!tick.label.empty() && share > 0) right = std::min(right, layout.left + room / share);
+  }
+  return right;
+}
+
 /// Whether neighbouring labels would touch.
 bool crowded(const AxisScale& scale) {
   double end = -1e9;
@@ -106,6 +117,10 @@ Layout lay_out(const Figure& figure, bool narrow) {
     layout.x.ticks = axis_ticks(*x, figure.x.logarithmic, most);
     fit(layout.x, *x, layout.left, layout.right);
     if (!crowded(layout.x)) break;
+  }
+  if (x) {
+    layout.right = right_for_labels(layout);
+    fit(layout.x, *x, layout.left, layout.right);
   }
   if (beside || inside) key_column(layout, figure.key_title, beside ? layout.right + 2 * kEdge : layout.left + kEdge);
   return layout;

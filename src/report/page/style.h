@@ -23,11 +23,11 @@ inline constexpr char kPageStyle[] = R"css(
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1rem 3rem; background: var(--paper); color: var(--ink);
   font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", sans-serif; }
-h1 { font-size: 1.6rem; margin: 0 0 .2rem; }
+h1 { font-size: 1.6rem; margin: 0 0 .2rem; overflow-wrap: anywhere; }
 h2 { font-size: 1.35rem; margin: 2.5rem 0 .6rem; break-after: avoid; padding-top: .8rem; border-top: 2px solid var(--ink); overflow-wrap: anywhere; }
 h3 { font-size: 1.05rem; margin: 1.8rem 0 .6rem; break-after: avoid; }
-p { margin: .4rem 0; max-width: 48rem; }
-ul { margin: .4rem 0; padding-left: 1.2rem; max-width: 48rem; }
+p { margin: .4rem 0; max-width: 48rem; overflow-wrap: anywhere; }
+ul { margin: .4rem 0; padding-left: 1.2rem; max-width: 48rem; overflow-wrap: anywhere; }
 a { color: var(--color-2); }
 nav { display: flex; flex-wrap: wrap; gap: 0 1rem; }
 code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; overflow-wrap: anywhere; }
@@ -36,7 +36,6 @@ code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em
 .alert { color: var(--alert); font-weight: 600; }
 .answer { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 1.2rem; align-items: start; margin: 1rem 0; }
 .answer > div:only-child { grid-column: 1 / -1; }
-.answer p { overflow-wrap: anywhere; }
 .result { font-size: clamp(1.2rem, 6vw, 1.7rem); line-height: 1.25; font-weight: 600; margin: 0 0 .5rem; }
 .bar { display: flex; height: 1rem; border-radius: 3px; overflow: hidden; }
 .bar span, .key span::before { background: var(--part); }
@@ -61,7 +60,6 @@ figure img { display: block; width: 100%; height: auto; }
 figcaption { font-size: .88rem; color: var(--soft); margin-top: .4rem; }
 figcaption strong, .head { color: var(--ink); }
 .head { font-weight: 600; margin-top: .6rem; }
-figcaption li { overflow-wrap: anywhere; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .15rem 1rem; margin: .5rem 0; max-width: 48rem; }
 dt { color: var(--soft); }
 dd { margin: 0; overflow-wrap: anywhere; }

@@ -18,8 +18,14 @@ struct Box {
   }
 };
 
+/// A range that ends at a long label, as the profile of a parameter at its bound.
+Figure at_a_bound() {
+  return {"at_a_bound", "", {"x", 999.97, 1000.0}, {"y"}, {{"", Look::solid, "#000000", {{999.97, 3}, {1000, 0}}}}};
+}
+
 std::vector<Figure> all_figures() {
   std::vector<Figure> figures = paper_figures();
+  figures.push_back(at_a_bound());
   for (const char* name : {"mergel2018", "waters_guduru2010"}) {
     const ReportedData reported = reported_data(shipped(name), name);
     for (const FigureGroup& group : data_figures(reported).groups)
