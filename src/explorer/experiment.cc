@@ -1,6 +1,7 @@
 #include "explorer/experiment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <tuple>
 
@@ -11,6 +12,7 @@
 #include "explorer/field_words.h"
 #include "fitting/predicted_curves.h"
 #include "fitting/prediction.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::explorer {
 namespace {
@@ -20,14 +22,29 @@ constexpr std::size_t kMostExcluded = 20;  // listed on a page
 Json runs_of(const Dataset& data) {
   Json runs = Json::array();
   const auto by_run = points_by_curve(data);
-  for (std::size_t run = 0; run < by_run.size(); ++run)
+  for (std::size_t run = 0; run < by_run.size(); ++run) {
     runs.push_back(
         {{"name", data.curves[run]},
          {"P", data.curve_loads[run] * data.display.force_scale},
          {"lines", list_of(by_run[run], [&](std::size_t i) { return data.points[i].line; })},
          {"T", list_of(by_run[run], [&](std::size_t i) { return data.points[i].T * data.display.force_scale; })},
          {"A", list_of(by_run[run], [&](std::size_t i) { return data.points[i].A * data.display.area_scale; })}});
+    if (!data.axes.empty())
+      runs.back()["axes"] = list_of(by_run[run], [&](std::size_t i) { return std::exp(data.axes[i].q); });
+  }
   return runs;
+}
+
+/// Residuals against T, or against psi where there are no loads.
+Json residuals_of(const Dataset& data, const FitResult& fit) {
+  Json residuals = Json::array();
+  for (std::size_t k = 0; k < std::min(fit.residuals.size(), fit.used.size()); ++k) {
+    const std::size_t i = fit.used[k];
+    const Point& point = data.points[i];
+    const double x = data.has_loads ? point.shear() * data.display.force_scale : data.converted[i].psi();
+    residuals.push_back({point.curve, x, fit.residuals[k], point.line});
+  }
+  return residuals;
 }
 
 /// The model's areas at the load of a run up to a tangential load, with a band of one standard error.
@@ -46,9 +63,14 @@ Json band_of(const Analysis& result, const FitResult& fit, std::size_t run, doub
   return band;
 }
 
-Json model_of(const Analysis& result, const FitResult& fit, bool best) {
+Json model_of(const Analysis& result, const FitResult& fit) {
   const Dataset& data = result.data;
-  Json drawn{{"model", fit.model}};
+  const bool errors = fit.known_errors || fit.objective == Objective::curve;
+  Json drawn{{"model", fit.model},
+             {"residuals", residuals_of(data, fit)},
+             {"residual_unit", errors                    ? "standard errors"
+                               : fit.scale == Scale::log ? "ln(Gc/GIc)"
+                                                         : "Gc/GIc"}};
   drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e4, 120);
   if (!data.has_loads) return drawn;
   const auto by_run = points_by_curve(data);
@@ -65,8 +87,13 @@ Json model_of(const Analysis& result, const FitResult& fit, bool best) {
     runs.push_back({{"P", data.curve_loads[run] * data.display.force_scale},
                     {"curve", stable},
                     {"unstable", unstable},
-                    {"band", best ? band_of(result, fit, run, 1.4 * largest) : Json::array()},
+                    {"band", band_of(result, fit, run, 1.4 * largest)},
                     {"folds", folds}});
+    if (is_elliptic(fit.model)) {
+      Json& axes = runs.back()["axes"] = Json::array();
+      for (const auto& [T, ratio] : drawn_axes(data, result.request.options, fit, run))
+        axes.push_back({T * data.display.force_scale, ratio});
+    }
   }
   drawn["runs"] = std::move(runs);
   return drawn;
@@ -123,13 +150,27 @@ Json as_told(const Answer& answer, const Dataset& data) {
           {"cannot_say", answer.cannot_say}};
 }
 
+Json as_advised(const Analysis& result) {
+  Json advice = Json::array();
+  for (const std::size_t i : by_merit(result)) {
+    const FitResult& fit = result.fits[i];
+    if (const Json buttons = buttons_of(fit.message); !buttons.empty())
+      advice.push_back({{"model", fit.model}, {"text", fit.message.text(in_fields)}, {"buttons", buttons}});
+  }
+  return advice;
+}
+
 Json as_drawn(const Analysis& result) {
   Json models = Json::array();
   for (const std::size_t i : by_merit(result))
-    if (has_all_values(result.fits[i])) models.push_back(model_of(result, result.fits[i], models.empty()));
+    if (has_all_values(result.fits[i])) models.push_back(model_of(result, result.fits[i]));
   Json drawn{{"models", models}};
   if (const auto& contact = result.data.contact)
-    drawn["contact"] = {{"radius", contact->radius}, {"modulus", contact->modulus}, {"toughness", contact->toughness}};
+    drawn["contact"] = {{"radius", contact->radius},
+                        {"modulus", contact->modulus},
+                        {"toughness", contact->toughness},
+                        {"mN", 1e3 * contact->force_unit() / result.data.display.force_scale},
+                        {"mm2", 1e6 * contact->area_unit() / result.data.display.area_scale}};
   return drawn;
 }
 
