@@ -35,6 +35,33 @@ Json runs_of(const Dataset& data) {
   return runs;
 }
 
+/// The page draws pull-off loads over what the first of them holds.
+HeldShear held_shear(const Dataset& data) { return data.pull_off.front().held; }
+
+double shear_scale(const Dataset& data) {
+  return held_shear(data) == HeldShear::load ? data.display.force_scale : data.display.length_scale;
+}
+
+Json pull_off_of(const Dataset& data) {
+  Json points = Json::array();
+  for (const PullOffReading& one : data.pull_off)
+    if (one.held == held_shear(data))
+      points.push_back({std::abs(one.shear) * shear_scale(data), one.P * data.display.force_scale, one.line});
+  const bool by_load = held_shear(data) == HeldShear::load;
+  return {
+      {"points", points}, {"held", by_load ? "T" : "u"}, {"unit", by_load ? data.display.force : data.display.length}};
+}
+
+Json pull_off_curve(const Analysis& result, const FitResult& fit) {
+  const Dataset& data = result.data;
+  double most = 0;
+  for (const PullOffReading& one : data.pull_off) most = std::max(most, std::abs(one.shear));
+  Json curve = Json::array();
+  for (const auto& [shear, P] : drawn_pull_off(data, result.request.options, fit, held_shear(data), 1.05 * most))
+    curve.push_back({shear * shear_scale(data), P * data.display.force_scale});
+  return curve;
+}
+
 /// Residuals against T, or against psi where there are no loads.
 Json residuals_of(const Dataset& data, const FitResult& fit) {
   Json residuals = Json::array();
@@ -72,6 +99,7 @@ Json model_of(const Analysis& result, const FitResult& fit) {
                                : fit.scale == Scale::log ? "ln(Gc/GIc)"
                                                          : "Gc/GIc"}};
   drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e4, 120);
+  if (fit.pull_off > 0) drawn["pull_off"] = pull_off_curve(result, fit);
   if (!data.has_loads) return drawn;
   const auto by_run = points_by_curve(data);
   Json runs = Json::array();
@@ -134,6 +162,7 @@ Json as_read(const Dataset& data) {
   });
   told["excluded_count"] = data.excluded.size();
   told["constants"] = constants;
+  if (!data.pull_off.empty()) told["pull_off"] = pull_off_of(data);
   if (data.has_loads) {
     told["runs"] = runs_of(data);
     return told;

@@ -15,7 +15,9 @@ using Json = nlohmann::ordered_json;
 /// "excluded": [{"where", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice"
 /// (for reconstructed data), "units": {"force", "area"}, "runs": [{"name", "P", "lines", "T", "A", "axes": [a/b], where
 /// the axes of ellipses were measured}]}; without loads "energies": {"lines", "psi", "f"} in place of runs. Lines are
-/// counted through all "files": [{"name", "first_line"}], which is empty for one file.
+/// counted through all "files": [{"name", "first_line"}], which is empty for one file. Of pull-off loads also
+/// "pull_off":
+/// {"points": [[T or u, P, line]], "held": "T" or "u", "unit"}.
 Json as_read(const Dataset& data);
 
 /// {"result", "model", "interval", "doubt", "budget": [[name, part]], "jumps": [[text]], "cannot_say"}, as at the
@@ -28,8 +30,8 @@ Json as_advised(const Analysis& result);
 /// {"contact": {"radius": m, "modulus": Pa, "toughness": J/m^2, "mN": the file's unit of force in mN, "mm2": that of
 /// area}, "models": [{"model", "runs": [{"P", "curve": [[T, A]],
 /// "unstable", "band": [[T, low, high]], "folds": [[T, A]], "axes": [[T, a/b]] of ellipses}], "toughness": [[psi, f]],
-/// "residuals": [[run, T, or psi, model minus data, line]], "residual_unit"}]}, beginning with the model that
-/// describes the data best. Bands are of one standard error.
+/// "residuals": [[run, T, or psi, model minus data, line]], "residual_unit", "pull_off": [[T or u, P]]}]}, beginning
+/// with the model that describes the data best. Bands are of one standard error.
 Json as_drawn(const Analysis& result);
 
 }  // namespace mixity::explorer

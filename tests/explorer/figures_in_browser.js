@@ -265,6 +265,22 @@ async function remedies(page) {
   await only(['a', 'b', 'c']);
 }
 
+/// Pull-off loads are drawn with the curve of the model, on which a load of the program lies.
+async function pullOff(page) {
+  const rows = [[-1.1, 0], [-1, 5], [-.9, 10], [-.7, 14], [-.5, 18], [-.2, 22]];
+  fs.writeFileSync(path.join(folder, 'pull.csv'), 'P_c [mN],T [mN]\n' + rows.map(row => row.join(',')).join('\n') + '\n');
+  fs.writeFileSync(path.join(folder, 'pull.toml'), 'radius = "9.42 mm"\nmodulus = "2.133 MPa"\ntoughness = "27 mJ/m^2"\n');
+  await drop(page, ['pull.csv', 'pull.toml'].map(name => path.join(folder, name)));
+  same(await fitsOn(page), fitsOf(['pull.csv', '--models=a,b,c']), 'pull-off loads');
+  expect(/^pull.csv: 6 of 6 rows, all of them pull-off loads/.test(await page.textContent('#read-title')), `of pull-off loads: ${await page.textContent('#read-title')}`);
+  const [points, curve] = await seriesOf(page, 'pullOff');
+  expect(await page.isVisible('#pull-off') && !await page.isVisible('#figure-fit') && points.points === 6 && curve.points > 50, `pull-off loads: ${JSON.stringify([points, curve])}`);
+  const start = await page.evaluate(() => window.explorer.experiment.figures.pullOff.lines[0].data[0]);
+  expect(near(start[1], -1.5 * Math.PI * 9.42 * .027, 1e-6), `without shear the model pulls off at ${start}`);
+  await drop(page, sample);
+  expect(!await page.isVisible('#pull-off') && await page.isVisible('#figure-fit'), 'pull-off loads stay');
+}
+
 async function storedResults(page) {
   const stored = path.join(folder, 'stored.json');
   fs.writeFileSync(stored, run(['fit', sample[0], '--models=c', '--radius=9.3 mm', '--format=json']));
@@ -304,7 +320,7 @@ async function main() {
   page.on('pageerror', error => told.push(error.message));
   await page.goto(address);
   await page.waitForFunction(() => window.explorer);
-  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, storedResults])
+  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, pullOff, storedResults])
     await part(page).catch(error => failures.push(`${part.name}: ${error.stack}`));
   expect(told.length === 0, `the console says: ${told.join('; ')}`);
   console.log(`painted after ${paint.toFixed(0)} ms, ready after ${ready.toFixed(0)} ms`);

@@ -57,7 +57,7 @@ function adviceHtml({answer, advice, fits}) {
 
 export function answerHtml(result) {
   const {answer, fits} = result, why = fits.datasets[0].fits[0].message, doubtful = Boolean(answer.doubt);
-  const status = !doubtful && answer.result ? '<p>Status: ok, its tests found nothing amiss.</p>' : '', advice = adviceHtml(result);
+  const status = !doubtful && answer.result ? '<p>Status: ok. The tests of the fit found nothing wrong.</p>' : '', advice = adviceHtml(result);
   return `${doubtful ? advice : ''}<p class="result">${escape(answer.result || `No value was found${why ? `: ${why}` : ''}`)}${answer.result ? ` ${copyHtml(answer.result, 'the result')}` : ''}</p>` +
     [answer.model, answer.interval].filter(Boolean).map(line => `<p>${escape(line)}</p>`).join('') + status + (doubtful ? '' : advice) + budget(answer.budget) + jumps(answer.jumps) +
     (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');

@@ -262,7 +262,7 @@ export class Experiment {
     $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `P = ${shown(run.P)}`)}</option>`).join('');
     if (selected < this.kept.length) $('run').value = String(selected);
     $('measured').hidden = false;
-    $('crop').hidden = !told.runs;
+    $('crop').hidden = !told.runs?.length;
     this.forgetFit();
     this.figures.draw();
     return this.fitNow(step);
@@ -290,7 +290,7 @@ export class Experiment {
   showRead(whole) {
     const {told, log} = this, runs = told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : '';
     $('read-title').textContent = log ? `${this.name}: a log with ${told.runs.length} loading run${told.runs.length === 1 ? '' : 's'}, ${told.points} points`
-      : `${this.name}: ${told.points} of ${told.rows} rows${runs}`;
+      : `${this.name}: ${told.points + (told.pull_off?.points.length ?? 0)} of ${told.rows} rows${told.points ? runs : ', all of them pull-off loads'}`;
     $('taken').innerHTML = list(howRead(told, this.from, whole, name => !$('constants').elements[name]));
     $('log').hidden = !log;
   }

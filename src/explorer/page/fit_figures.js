@@ -17,6 +17,7 @@ export class FitFigures {
     this.all = figure('chart-fit', {x: {name: 'T', min: 0}, y: {name: 'A', min: 0}}, {about});
     this.residuals = figure('chart-residuals', {x: {name: 'T', min: 0}, y: {name: 'residual'}}, {about, legend: {show: false}, grid: {top: 14}});
     this.axes = figure('chart-axes', {x: {name: 'T', min: 0}, y: {name: 'a/b'}}, {about});
+    this.pullOff = figure('chart-pull-off', {x: {name: 'T', min: 0}, y: {name: 'P'}}, {about});
     this.run = figure('chart-run', {x: {name: 'point'}, y: {name: 'T'}, y2: {name: 'A'}}, {grid: {right: 62}, about});
     this.all.resized = () => this.placeEnd();
     this.run.resized = () => this.placeRunHandles();
@@ -29,11 +30,11 @@ export class FitFigures {
   }
 
   showAll() {
-    for (const entry of [this.all, this.run, this.residuals, this.axes]) entry.showAll();
+    for (const entry of [this.all, this.run, this.residuals, this.axes, this.pullOff]) entry.showAll();
   }
 
   clear() {
-    for (const entry of [this.all, this.run, this.residuals, this.axes]) {
+    for (const entry of [this.all, this.run, this.residuals, this.axes, this.pullOff]) {
       entry.draw([], 'Nothing is drawn', {legend: {data: []}});
       removeHandles(entry);
     }
@@ -63,6 +64,7 @@ export class FitFigures {
     inTurn('run', () => this.drawRun());
     inTurn('residuals', () => this.drawResiduals());
     inTurn('axes', () => this.drawAxes());
+    inTurn('pull-off', () => this.drawPullOff());
   }
 
   /// The lines at the top of a saved figure: data, model, parameters and constants.
@@ -117,7 +119,7 @@ export class FitFigures {
     const titles = models.map(one => this.title(one));
     this.all.draw(series, `Measured areas of ${told.runs.length} runs against tangential load${titles.length ? ` and ${titles.join(', ')}` : ''}`,
       {legend: {data: [...(several ? titles : []), ...told.runs.map((_, i) => this.runName(i))]},
-        xAxis: {name: inBrackets('T', force), type: 'value', min: 0, max: several ? Number((1.5 * Math.max(...told.runs.flatMap(({T}) => T.map(Math.abs)))).toPrecision(2)) : null}, yAxis: {name: inBrackets('A', area), min: 0, max: null}});
+        xAxis: {name: inBrackets('T', force), type: 'value', min: 0, max: several && told.runs.length ? Number((1.5 * Math.max(...told.runs.flatMap(({T}) => T.map(Math.abs)))).toPrecision(2)) : null}, yAxis: {name: inBrackets('A', area), min: 0, max: null}});
     const word = told.notice ? 'Reconstructed' : 'Measured';
     $('caption-fit').textContent = result ? `${word} areas and ${titles.join(', ')}${several ? '' : ' with a band of one standard error'}. Stars mark jumps. Grey points are left out. Click a point to select its run. Shift and the wheel zoom, a double click shows all.` : `${word} areas.`;
     this.placeEnd();
@@ -173,6 +175,20 @@ export class FitFigures {
     });
     this.axes.draw(series, 'Ratio of the axes of the contact against tangential load', {legend: {data: runs.map((_, i) => this.runName(i))}, xAxis: {name: inBrackets('T', told.units.force), min: 0, max: null}});
     $('caption-axes').textContent = `Axes of the contact along (a) and across (b) the shear${models.length ? `: measured, and of ${this.title(models[0])}` : ', as measured. “Fit an ellipse” under “More of the fit” fits both'}.`;
+  }
+
+  /// Loads at which sheared contacts were pulled off: measured, and of the models.
+  drawPullOff() {
+    const {told, whole} = this.experiment, all = whole && told.pull_off;
+    $('pull-off').hidden = !all;
+    $('figure-fit').hidden = Boolean(all) && !told.points;
+    if (!all) return;
+    const word = told.notice ? 'reconstructed' : 'measured', {points, held, unit} = all, {force} = told.units;
+    const series = [marks('pull-off', word, points.map(([shear, P]) => [shear, P]), color(0), 'circle', {hover: k => `${escape(lineText(points[k][2], told.files))}<br>${held} = ${escape(withUnit(shown(points[k][0], 5), unit))}, P = ${escape(withUnit(shown(points[k][1], 5), force))}`}),
+      ...this.chosenModels().filter(({pull_off: curve}) => curve).map(model => line(`pull-off-${model.model}`, this.title(model), model.pull_off, this.tint(model)))];
+    this.pullOff.draw(series, 'Pull-off load against shear, and the models', {legend: {data: series.map(({name}) => name)},
+      xAxis: {name: inBrackets(held, unit), min: 0}, yAxis: {name: inBrackets('P', force)}});
+    $('caption-pull-off').textContent = 'Loads at which the contact was pulled off; compression is positive. Below the curve there is no contact.';
   }
 
   drawRun() {
