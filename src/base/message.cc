@@ -28,11 +28,18 @@ std::string Message::text(Wording words) const {
   return text;
 }
 
-std::vector<std::string> Message::options() const {
-  std::vector<std::string> options;
+std::vector<Remedy> Message::remedies() const {
+  std::vector<Remedy> remedies;
   for (const auto& part : parts_)
     if (const auto* remedy = std::get_if<Remedy>(&part); remedy && remedy->kind != Remedy::Kind::given)
-      for (const Remedy::Choice& choice : remedy->choices) options.push_back(choice.option);
+      remedies.push_back(*remedy);
+  return remedies;
+}
+
+std::vector<std::string> Message::options() const {
+  std::vector<std::string> options;
+  for (const Remedy& remedy : remedies())
+    for (const Remedy::Choice& choice : remedy.choices) options.push_back(choice.option);
   return options;
 }
 

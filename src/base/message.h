@@ -56,6 +56,8 @@ class Message {
 
   bool empty() const { return parts_.empty(); }
   std::string text(Wording words = in_neutral_words) const;
+  /// What is recommended, in order.
+  std::vector<Remedy> remedies() const;
   /// The recommended options, in order.
   std::vector<std::string> options() const;
 

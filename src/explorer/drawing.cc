@@ -5,12 +5,14 @@
 
 #include "dataset/display_units.h"
 #include "fitting/predicted_curves.h"
+#include "mechanics/contact.h"
+#include "mechanics/held_approach.h"
 #include "mechanics/regime_map.h"
 
 namespace mixity::explorer {
 namespace {
 
-constexpr double kMilli = 1e-3, kSquareMilli = 1e-6;
+constexpr double kMilli = 1e-3, kSquareMilli = 1e-6, kMicro = 1e-6;
 constexpr std::size_t kPoints = 100;  // in a curve drawn while a slider moves
 
 /// A data set without points, which provides constants and units.
@@ -70,6 +72,28 @@ Json state(const ContactModel& model, const std::vector<double>& parameters, con
   return told;
 }
 
+/// The contact with the approach that it has at the load P without shear held in place of P, by a rigid machine.
+Json held_approach(const ContactModel& model, const std::vector<double>& parameters, const Contact& contact,
+                   const DisplayUnits& units, double P, double T_here, double T_most) {
+  const double a = jkr_radius(P);
+  const HeldApproach held{P / (2 * a) + a * a / 3};  // P = 2 a delta - 2/3 a^3
+  std::vector<double> T;
+  for (std::size_t i = 0; i <= kPoints; ++i) T.push_back(T_most * static_cast<double>(i) / kPoints);
+  T.push_back(T_here);
+  const ApproachStates found = under_held_approach(model, parameters, held, T);
+  Json told{{"approach", held.approach * contact.displacement_unit() / kMicro}, {"curve", Json::array()}};
+  const auto place = [&](double at, double load, double radius) {
+    return Json{at * units.force_scale, area_from_radius(radius) * units.area_scale, load * units.force_scale};
+  };
+  for (std::size_t i = 0; i < T.size(); ++i)
+    if (found.at[i].status == EquilibriumStatus::ok)
+      (i <= kPoints ? told["curve"] : told["state"]).push_back(place(T[i], found.at[i].P, found.at[i].a));
+  if (!found.end) return told;
+  if (found.end->T <= T_most) told["curve"].push_back(place(found.end->T, found.end->P, found.end->a));
+  told["end"] = {{"at", place(found.end->T, found.end->P, found.end->a)}, {"fold", found.end->fold}};
+  return told;
+}
+
 }  // namespace
 
 ContactModel model_of(const std::string& key) {
@@ -103,6 +127,8 @@ Json drawn_models(const Json& request) {
                    {"toughness", toughness},
                    {"state", state(model, parameters, units, P, T)},
                    {"regime", std::string(regime_text(model.regime(parameters, P).value().regime))}});
+    if (request.value("held", false))
+      all.back()["held"] = held_approach(model, parameters, *data.contact, units, P, T, T_most);
   }
   return all;
 }

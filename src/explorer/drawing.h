@@ -26,7 +26,9 @@ ContactModel model_of(const std::string& key);
 /// [{"model": "c", "parameters": [0.0023]}]}: of each model {"toughness": [[psi, f]], "curve": {"T", "A", "u",
 /// "stable"}, "folds": [{"control", "T", "A", "u", "jumps_to", "area_after"}], "radii": {"stable": [[P, a]],
 /// "unstable"}, "state": {"A", "psi", "f"} or null off equilibrium, "regime": text}; only the toughness and "problem"
-/// where there is no contact. Throws std::invalid_argument for constants that are not positive numbers.
+/// where there is no contact. With "held": true also "held": {"approach": um, "curve": [[T, A, P]], "state": [[T, A,
+/// P]] at T, "end": {"at": [T, A, P], "fold"}, if there is one}, where the approach that P causes without shear is held
+/// in place of P. Throws std::invalid_argument for constants that are not positive numbers.
 Json drawn_models(const Json& request);
 
 }  // namespace mixity::explorer

@@ -1,5 +1,5 @@
 // The engine as called by the page's script: texts in, JSON out. An exception becomes {"error": SENTENCE, "options":
-// [recommended ones]}.
+// [recommended ones], "buttons": (field_words.h)}.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/answer.h"
+#include "analysis/contact_shape.h"
 #include "analysis/fit_definition.h"
 #include "analysis/laws.h"
 #include "analysis/result.h"
@@ -36,7 +37,9 @@ std::string guarded(const std::function<Json()>& work) {
   try {
     return text(work());
   } catch (const InputError& error) {
-    return text({{"error", error.text(in_fields)}, {"options", error.message().options()}});
+    return text({{"error", error.text(in_fields)},
+                 {"options", error.message().options()},
+                 {"buttons", buttons_of(error.message())}});
   } catch (const std::exception& error) {
     return text({{"error", error.what()}});
   }
@@ -82,6 +85,7 @@ FitRequest request_of(const Names& names, const std::string& constants, const st
     else if (const std::string problem = set_option(request, key, text.get<std::string>()); !problem.empty())
       throw InputError(key, problem);
   request.constants = constants_in(constants);
+  take_shape(request);
   return request;
 }
 
@@ -99,10 +103,14 @@ std::string read_files(const std::string& list, const std::string& constants, bo
 
 /// The loading runs of written logs (log.h).
 std::string cut_files(const std::string& list, const std::string& stem, const std::string& constants) {
-  return guarded([&] { return cut_logs(names_in(list), stem, constants_in(constants)); });
+  return guarded([&] {
+    Overrides stated = constants_in(constants);
+    take_ellipse(stated);  // which concerns fits alone
+    return cut_logs(names_in(list), stem, stated);
+  });
 }
 
-/// Fits written files; calls `progress` with the part that is done. {"fits": schema mixity-fit-1, "answer": {...},
+/// Fits written files; calls `progress` with the part that is done. {"fits": schema mixity-fit-1, "answer", "advice",
 /// "drawn": (experiment.h), "definition": "fits/NAME.toml", "used": CSV}.
 std::string fit_files(const std::string& list, const std::string& constants, const std::string& options,
                       emscripten::val progress) {
@@ -110,6 +118,7 @@ std::string fit_files(const std::string& list, const std::string& constants, con
     const Analysis result = run(request_of(names_in(list), constants, options), [&](double part) { progress(part); });
     return Json{{"fits", Json::parse(to_json({result}))},
                 {"answer", as_told(answer_of(result), result.data)},
+                {"advice", as_advised(result)},
                 {"drawn", as_drawn(result)},
                 {"definition", fit_definition_text(result.request, result.data, "fit.toml")},
                 {"used", used_csv(result.data)}};

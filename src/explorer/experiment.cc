@@ -1,6 +1,7 @@
 #include "explorer/experiment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <tuple>
 
@@ -11,6 +12,7 @@
 #include "explorer/field_words.h"
 #include "fitting/predicted_curves.h"
 #include "fitting/prediction.h"
+#include "mechanics/contact_model.h"
 
 namespace mixity::explorer {
 namespace {
@@ -20,14 +22,56 @@ constexpr std::size_t kMostExcluded = 20;  // listed on a page
 Json runs_of(const Dataset& data) {
   Json runs = Json::array();
   const auto by_run = points_by_curve(data);
-  for (std::size_t run = 0; run < by_run.size(); ++run)
+  for (std::size_t run = 0; run < by_run.size(); ++run) {
     runs.push_back(
         {{"name", data.curves[run]},
          {"P", data.curve_loads[run] * data.held_scale()},
          {"lines", list_of(by_run[run], [&](std::size_t i) { return data.points[i].line; })},
          {"T", list_of(by_run[run], [&](std::size_t i) { return data.points[i].T * data.display.force_scale; })},
          {"A", list_of(by_run[run], [&](std::size_t i) { return data.points[i].A * data.display.area_scale; })}});
+    if (!data.axes.empty())
+      runs.back()["axes"] = list_of(by_run[run], [&](std::size_t i) { return std::exp(data.axes[i].q); });
+  }
   return runs;
+}
+
+/// The page draws pull-off loads over what the first of them holds.
+HeldShear held_shear(const Dataset& data) { return data.pull_off.front().held; }
+
+double shear_scale(const Dataset& data) {
+  return held_shear(data) == HeldShear::load ? data.display.force_scale : data.display.length_scale;
+}
+
+Json pull_off_of(const Dataset& data) {
+  Json points = Json::array();
+  for (const PullOffReading& one : data.pull_off)
+    if (one.held == held_shear(data))
+      points.push_back({std::abs(one.shear) * shear_scale(data), one.P * data.display.force_scale, one.line});
+  const bool by_load = held_shear(data) == HeldShear::load;
+  return {
+      {"points", points}, {"held", by_load ? "T" : "u"}, {"unit", by_load ? data.display.force : data.display.length}};
+}
+
+Json pull_off_curve(const Analysis& result, const FitResult& fit) {
+  const Dataset& data = result.data;
+  double most = 0;
+  for (const PullOffReading& one : data.pull_off) most = std::max(most, std::abs(one.shear));
+  Json curve = Json::array();
+  for (const auto& [shear, P] : drawn_pull_off(data, result.request.options, fit, held_shear(data), 1.05 * most))
+    curve.push_back({shear * shear_scale(data), P * data.display.force_scale});
+  return curve;
+}
+
+/// Residuals against T, or against psi where there are no loads.
+Json residuals_of(const Dataset& data, const FitResult& fit) {
+  Json residuals = Json::array();
+  for (std::size_t k = 0; k < std::min(fit.residuals.size(), fit.used.size()); ++k) {
+    const std::size_t i = fit.used[k];
+    const Point& point = data.points[i];
+    const double x = data.has_loads ? point.shear() * data.display.force_scale : data.converted[i].psi();
+    residuals.push_back({point.curve, x, fit.residuals[k], point.line});
+  }
+  return residuals;
 }
 
 /// The model's areas at the load of a run up to a tangential load, with a band of one standard error.
@@ -46,10 +90,16 @@ Json band_of(const Analysis& result, const FitResult& fit, std::size_t run, doub
   return band;
 }
 
-Json model_of(const Analysis& result, const FitResult& fit, bool best) {
+Json model_of(const Analysis& result, const FitResult& fit) {
   const Dataset& data = result.data;
-  Json drawn{{"model", fit.model}};
+  const bool errors = fit.known_errors || fit.objective == Objective::curve;
+  Json drawn{{"model", fit.model},
+             {"residuals", residuals_of(data, fit)},
+             {"residual_unit", errors                    ? "standard errors"
+                               : fit.scale == Scale::log ? "ln(Gc/GIc)"
+                                                         : "Gc/GIc"}};
   drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e4, 120);
+  if (fit.pull_off > 0) drawn["pull_off"] = pull_off_curve(result, fit);
   if (!data.has_loads) return drawn;
   const auto by_run = points_by_curve(data);
   Json runs = Json::array();
@@ -65,8 +115,13 @@ Json model_of(const Analysis& result, const FitResult& fit, bool best) {
     runs.push_back({{"P", data.curve_loads[run] * data.held_scale()},
                     {"curve", stable},
                     {"unstable", unstable},
-                    {"band", best ? band_of(result, fit, run, 1.4 * largest) : Json::array()},
+                    {"band", band_of(result, fit, run, 1.4 * largest)},
                     {"folds", folds}});
+    if (is_elliptic(fit.model)) {
+      Json& axes = runs.back()["axes"] = Json::array();
+      for (const auto& [T, ratio] : drawn_axes(data, result.request.options, fit, run))
+        axes.push_back({T * data.display.force_scale, ratio});
+    }
   }
   drawn["runs"] = std::move(runs);
   return drawn;
@@ -107,6 +162,7 @@ Json as_read(const Dataset& data) {
   });
   told["excluded_count"] = data.excluded.size();
   told["constants"] = constants;
+  if (!data.pull_off.empty()) told["pull_off"] = pull_off_of(data);
   if (data.has_loads) {
     told["runs"] = runs_of(data);
     return told;
@@ -123,13 +179,27 @@ Json as_told(const Answer& answer, const Dataset& data) {
           {"cannot_say", answer.cannot_say}};
 }
 
+Json as_advised(const Analysis& result) {
+  Json advice = Json::array();
+  for (const std::size_t i : by_merit(result)) {
+    const FitResult& fit = result.fits[i];
+    if (const Json buttons = buttons_of(fit.message); !buttons.empty())
+      advice.push_back({{"model", fit.model}, {"text", fit.message.text(in_fields)}, {"buttons", buttons}});
+  }
+  return advice;
+}
+
 Json as_drawn(const Analysis& result) {
   Json models = Json::array();
   for (const std::size_t i : by_merit(result))
-    if (has_all_values(result.fits[i])) models.push_back(model_of(result, result.fits[i], models.empty()));
+    if (has_all_values(result.fits[i])) models.push_back(model_of(result, result.fits[i]));
   Json drawn{{"models", models}};
   if (const auto& contact = result.data.contact)
-    drawn["contact"] = {{"radius", contact->radius}, {"modulus", contact->modulus}, {"toughness", contact->toughness}};
+    drawn["contact"] = {{"radius", contact->radius},
+                        {"modulus", contact->modulus},
+                        {"toughness", contact->toughness},
+                        {"mN", 1e3 * contact->force_unit() / result.data.display.force_scale},
+                        {"mm2", 1e6 * contact->area_unit() / result.data.display.area_scale}};
   return drawn;
 }
 

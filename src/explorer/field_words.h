@@ -1,6 +1,7 @@
-// Remedies in the words of the page: its fields. Options without a field appear as options of the program.
+// Remedies in the words of the page: its fields and buttons. Options with neither appear as options of the program.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/message.h"
@@ -8,15 +9,10 @@
 namespace mixity::explorer {
 
 /// A Wording (base/message.h). Missing constants and given options get no words: the message is beside their fields.
-inline std::string in_fields(const Remedy& remedy) {
-  if (remedy.kind == Remedy::Kind::given || remedy.kind == Remedy::Kind::state) return "";
-  const auto& [first, value, placeholder] = remedy.choices[0];
-  if (first == "columns") return "write " + value + " under “Take other columns”";
-  if (first == "load" || first == "pixel" || first == "sheet") return '"' + value + "\" under “More of the file”";
-  std::string options;
-  for (const Remedy::Choice& one : remedy.choices)
-    options += (options.empty() ? "" : ", ") + one.option + (one.value.empty() ? "" : "=\"" + one.value + '"');
-  return options + " in the program";
-}
+std::string in_fields(const Remedy& remedy);
+
+/// The buttons that set what a message recommends: [{"option", "value", "label", "adds": whether the value joins a
+/// list, "reads": whether it tells how files are read, not how they are fitted}].
+nlohmann::ordered_json buttons_of(const Message& message);
 
 }  // namespace mixity::explorer

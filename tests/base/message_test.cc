@@ -16,6 +16,9 @@ TEST(Message, JoinsTextsAndRemedies) {
   message += "; " + Remedy::set("free", "radius") + ", " + Remedy::set("load", "1 mN");
   EXPECT_EQ(message.text(short_words), "ab; <free>, <load>");
   EXPECT_EQ(message.options(), (std::vector<std::string>{"free", "load"}));
+  ASSERT_EQ(message.remedies().size(), 2u);
+  EXPECT_EQ(message.remedies()[1].choices[0].value, "1 mN");
+  EXPECT_TRUE(Message(Remedy::given("radius")).remedies().empty());
   EXPECT_EQ(message, Message("ab; free = \"radius\", load = \"1 mN\""));
   EXPECT_TRUE((Message("") + "").empty());
 }

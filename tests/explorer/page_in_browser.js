@@ -25,7 +25,7 @@ const fitsOf = text => JSON.parse(text).datasets[0].fits;
 const near = (one, other, part) => Math.abs(one - other) <= part * Math.abs(other);
 
 async function saved(page, what) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${what}]`)]);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(['svg', 'png'].includes(what) ? `#chart-fit + .tools [data-figure=${what}]` : `[data-save=${what}]`)]);
   const file = path.join(folder, download.suggestedFilename());
   await download.saveAs(file);
   return file;
@@ -50,7 +50,7 @@ async function dropAndFit(page) {
   await page.fill('[name=radius]', '9.42 mm');
   await page.fill('[name=modulus]', '2.133 MPa +/- 2%');
   await page.fill('[name=toughness]', '27 mJ/m^2');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForSelector('.result', {timeout: 5000}).catch(async () => { throw new Error('no result: ' + await page.textContent('#trouble') + await page.textContent('#taken')); });
   return file;
 }
@@ -206,20 +206,22 @@ function logOf(rows, loads) {
 async function watchedFit(page) {
   const browser = page.context().browser();
   await browser.startTracing(page, {categories: ['toplevel']});
-  const begin = Date.now(), parts = new Set();
+  const begin = Date.now();
+  await page.evaluate(() => {
+    const bar = document.getElementById('busy-part');
+    window.parts = new Set();
+    new MutationObserver(() => window.parts.add(bar.getAttribute('value'))).observe(bar, {attributes: true});
+  });
   const part = () => page.evaluate(() => !document.getElementById('busy').hidden && document.getElementById('busy-part').getAttribute('value'));
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => document.getElementById('busy-part').getAttribute('value') > 0);
   await page.focus('#slider-c');
-  for (let now = await part(); now !== false; now = await part()) {
-    parts.add(now);
-    await page.keyboard.press('ArrowLeft');
-  }
+  while (await part() !== false) await page.keyboard.press('ArrowLeft');
   const {traceEvents} = JSON.parse((await browser.stopTracing()).toString()), fit = Date.now() - begin;
   const mains = traceEvents.filter(({name, args}) => name === 'thread_name' && args.name === 'CrRendererMain').map(({pid, tid}) => `${pid}:${tid}`);
   const times = traceEvents.filter(({name, ph, pid, tid}) => /RunTask$/.test(name) && ph === 'X' && mains.includes(`${pid}:${tid}`)).map(({tdur}) => tdur / 1000);
   await idle(page);
-  return {fit, parts: parts.size, tasks: times.length, longest: Math.max(...times), points: await page.evaluate(() => window.explorer.experiment.told.points)};
+  return {fit, parts: await page.evaluate(() => window.parts.size), tasks: times.length, longest: Math.max(...times), points: await page.evaluate(() => window.explorer.experiment.told.points)};
 }
 
 /// A log over time is cut as by `mixity runs`, and a long fit leaves the page free, can be stopped and begun again.
@@ -261,13 +263,13 @@ async function logOverTime(page) {
   // stopped: no result, no waiting; begun again, the same numbers
   const lambda = () => page.evaluate(() => window.explorer.experiment.result?.fits.datasets[0].fits.map(fit => fit.parameters.lambda.value));
   const found = await lambda();
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => /^Fitting/.test(document.getElementById('busy-says').textContent));
   const begin = Date.now();
   await page.click('#stop');
   await page.waitForFunction(() => /^Stopped/.test(document.getElementById('trouble').textContent) && document.getElementById('busy').hidden);
   expect(Date.now() - begin < 1000 && await lambda() === undefined && !(await page.isVisible('#downloads')), 'a stopped fit leaves a result');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => window.explorer.experiment.result, undefined, {timeout: 120000});
   expect(JSON.stringify(await lambda()) === JSON.stringify(found), `after a stop ${await lambda()}, before ${found}`);
 
@@ -283,8 +285,8 @@ let longFit = null;
 async function earlyAndRefused(browser, address) {
   const early = await browser.newPage();
   await early.addInitScript(() => {
-    const compile = WebAssembly.compile;
-    WebAssembly.compile = bytes => new Promise(resolve => setTimeout(resolve, 1500)).then(() => compile(bytes));
+    const compile = WebAssembly.compileStreaming;
+    WebAssembly.compileStreaming = stream => new Promise(resolve => setTimeout(resolve, 1500)).then(() => compile(stream));
   });
   await early.goto(address);
   await early.setInputFiles('#file', ['csv', 'toml'].map(ending => path.join(root, 'data', `mergel2018.${ending}`)));
@@ -292,6 +294,26 @@ async function earlyAndRefused(browser, address) {
   expect(!(await early.evaluate(() => window.explorer)), 'the engine started at once');
   await early.waitForFunction(() => window.explorer?.experiment.result);
   await early.close();
+
+  // dropped before even the page's script runs
+  const before = await browser.newPage();
+  await before.addInitScript(() => {
+    const {text} = Response.prototype;
+    Response.prototype.text = async function later() {
+      await new Promise(resolve => setTimeout(resolve, 1000));
+      return text.call(this);
+    };
+  });
+  await before.goto(address);
+  const transfer = await before.evaluateHandle(contents => {
+    const list = new DataTransfer();
+    for (const [name, content] of contents) list.items.add(new File([content], name));
+    return list;
+  }, ['csv', 'toml'].map(ending => [`mergel2018.${ending}`, fs.readFileSync(path.join(root, 'data', `mergel2018.${ending}`), 'utf8')]));
+  await before.dispatchEvent('#drop', 'drop', {dataTransfer: transfer});
+  expect(await before.evaluate(() => document.getElementById('read').hidden && !window.explorer), 'the script of the page ran at once');
+  await before.waitForFunction(() => window.explorer?.experiment.result);
+  await before.close();
 
   const refused = await browser.newPage(), page = path.join(folder, 'no_workers.html');
   fs.writeFileSync(page, fs.readFileSync(path.join(built, 'explorer.html'), 'utf8').replace(' worker-src blob:;', ''));
@@ -403,7 +425,7 @@ async function main() {
   // with a law of one's own beside them, which its definition states
   await page.fill('#law', '1/(1 + (l-1)*sin(psi)^2); l=0..1');
   await page.press('#law', 'Enter');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 4);
   const withOwn = await page.evaluate(() => window.explorer.experiment.result);
   const lambda = fit => Object.values(fit.parameters)[0].value, [published, typed] = withOwn.fits.datasets[0].fits.slice(-2);
@@ -411,7 +433,7 @@ async function main() {
   expect(withOwn.definition.includes('[laws.'), 'the definition states the law');
   await page.fill('#law', '');
   await page.press('#law', 'Enter');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 3);
 
   // cropped, by field and by dragging
@@ -485,17 +507,17 @@ async function main() {
   expect(/to read another \('Less'\): "Less" under .More of the file/.test(await page.textContent('#taken')), `of a workbook: ${await page.textContent('#taken')}`);
   await page.evaluate(() => { document.getElementById('more').open = true; });
   await page.fill('[name=sheet]', 'Less');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await sheet(['--sheet=Less'], 100);
 
   // neither loads nor areas as they are: both are said below the constants
   await page.setInputFiles('#file', table('camera.csv', 'T [mN],A [px]\n0,80000\n10,79500\n20,78000\n30,75000\n'));
   await page.waitForFunction(() => /"1.7 um" under .More of the file/.test(document.getElementById('trouble').textContent));
   for (const [name, text] of [['pixel', '2 um'], ['radius', '9.42 mm'], ['modulus', '2.133 MPa'], ['toughness', '27 mJ/m^2']]) await page.fill(`[name=${name}]`, text);
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => /"5 mN" under .More of the file/.test(document.getElementById('trouble').textContent));
   await page.fill('[name=load]', '5 mN');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits.length === 3);
   if (shots) await page.screenshot({path: path.join(shots, 'camera.png'), fullPage: true});
 
@@ -518,16 +540,16 @@ async function main() {
   await page.fill('[name=radius]', '9.42 mm');
   await page.fill('[name=modulus]', '2.133 MPa');
   await page.fill('[name=toughness]', '27 mJ/m^2');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForSelector('.result');
   const found = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits);
   fitsOf(run(['fit', await saved(page, 'toml'), '--format=json'])).forEach((fit, i) => same(found[i], fit, 'a name with blanks and quotes'));
   await page.fill('[name=modulus]', 'abc');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForFunction(() => /abc/.test(document.getElementById('trouble').textContent));
   expect(await page.locator('.result').count() === 0 && !(await page.isVisible('#downloads')), 'a wrong constant leaves the former result');
   await page.fill('[name=modulus]', '2.133 MPa');
-  await page.click('#constants button');
+  await page.click('#constants > button');
   await page.waitForSelector('.result');
 
   // a zoom takes the lines with it; bad values in the address count for nothing

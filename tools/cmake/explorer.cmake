@@ -28,9 +28,14 @@ add_compile_options($<$<COMPILE_LANGUAGE:CXX>:SHELL:-include\ ${PROJECT_SOURCE_D
 set(CMAKE_UNITY_BUILD ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 add_subdirectory(src)
+# What reads files and writes texts is compiled for size: no fit waits for it.
+foreach(room base table dataset logs analysis studies report)
+  target_compile_options(mixity_${room} PRIVATE -Os)
+endforeach()
 
 file(GLOB engine CONFIGURE_DEPENDS src/explorer/*.cc)
 add_executable(engine ${engine})
+target_compile_options(engine PRIVATE -Os)
 target_compile_definitions(engine PRIVATE MIXITY_VERSION="${PROJECT_VERSION}")
 target_link_libraries(engine PRIVATE mixity_report nlohmann_json::nlohmann_json)
 target_include_directories(engine PRIVATE src)

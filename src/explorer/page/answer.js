@@ -35,14 +35,31 @@ function jumps([headings, ...rows]) {
   if (!rows.length) return '';
   return `<div class="scroll"><table class="jumps"><caption>Where the contact jumps, ± one standard error</caption>
     <thead><tr>${headings.map(cell => `<th scope="col">${escape(cell)}</th>`).join('')}</tr></thead>
-    <tbody>${rows.map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('')}</tbody></table></div>`;
+    <tbody>${rows.map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('')}</tbody></table>
+    ${copyHtml([headings, ...rows].map(row => row.join('\t')).join('\n'), 'the table of jumps')}</div>`;
 }
 
-export function answerHtml({answer, fits}) {
-  const why = fits.datasets[0].fits[0].message;
-  const status = answer.doubt ? `<p class="banner"><strong class="alert">${escape(answer.doubt)}</strong></p>` : answer.result ? '<p>Status: ok, its tests found nothing amiss.</p>' : '';
-  return `<p class="result">${escape(answer.result || `No value was found${why ? `: ${why}` : ''}`)}</p>` +
-    [answer.model, answer.interval].filter(Boolean).map(line => `<p>${escape(line)}</p>`).join('') + status + budget(answer.budget) + jumps(answer.jumps) +
+/// Buttons that set what a message recommends.
+export const buttonsHtml = buttons => buttons.map(one => `<button type="button" data-remedy="${escape(JSON.stringify(one))}">${escape(one.label)}</button>`).join(' ');
+
+const copyHtml = (text, what) => `<button type="button" class="copy" data-copy="${escape(text)}" aria-label="Copy ${escape(what)}">Copy</button>`;
+
+/// What is wrong, and what can be tried. The best model's message is the answer's doubt.
+function adviceHtml({answer, advice, fits}) {
+  const best = fits.datasets[0].fits.find(fit => answer.model.startsWith(`model ${fit.model},`))?.model;
+  const own = advice.find(one => one.model === best), known = new Set(own?.buttons.map(({label}) => label));
+  const others = advice.filter(one => answer.doubt && one !== own && one.buttons.some(({label}) => !known.has(label) && known.add(label)));
+  if (!answer.doubt && !own) return '';
+  const line = one => `<li>Model ${escape(one.model)}: ${escape(one.text)} <span class="remedies">${buttonsHtml(one.buttons)}</span></li>`;
+  const text = answer.doubt ? `<strong class="alert">${escape(answer.doubt)}</strong>` : escape(own.text);
+  return `<div class="banner doubt"><p>${text}</p>${own ? `<p class="remedies">Try: ${buttonsHtml(own.buttons)}</p>` : ''}${others.length ? `<p>The other models:</p><ul>${others.map(line).join('')}</ul>` : ''}</div>`;
+}
+
+export function answerHtml(result) {
+  const {answer, fits} = result, why = fits.datasets[0].fits[0].message, doubtful = Boolean(answer.doubt);
+  const status = !doubtful && answer.result ? '<p>Status: ok. The tests of the fit found nothing wrong.</p>' : '', advice = adviceHtml(result);
+  return `${doubtful ? advice : ''}<p class="result">${escape(answer.result || `No value was found${why ? `: ${why}` : ''}`)}${answer.result ? ` ${copyHtml(answer.result, 'the result')}` : ''}</p>` +
+    [answer.model, answer.interval].filter(Boolean).map(line => `<p>${escape(line)}</p>`).join('') + status + (doubtful ? '' : advice) + budget(answer.budget) + jumps(answer.jumps) +
     (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');
 }
 
@@ -54,7 +71,7 @@ export function modelsHtml({fits, drawn}) {
   const row = fit => {
     const weight = comparison?.find(one => one.model === fit.model)?.weight;
     return `<tr><th scope="row">${escape(fit.model)}</th>
-      <td data-label="parameters">${Object.entries(fit.parameters).map(one => `<div>${escape(parameter(one))}</div>`).join('')}</td>
+      <td data-label="parameters">${Object.entries(fit.parameters).map(one => `<div>${escape(parameter(one))}${one[1].value === null ? '' : ` ${copyHtml(`${one[1].value}\t${one[1].stderr ?? ''}`, `${one[0]} of model ${fit.model} with all digits and its standard error`)}`}</div>`).join('')}</td>
       <td data-label="status">${escape(fit.status)}${fit.message ? `: ${escape(fit.message)}` : ''}</td>
       <td data-label="AICc weight">${typeof weight === 'number' ? shown(weight, 3) : ''}</td></tr>`;
   };

@@ -25,20 +25,22 @@ const style = /R"css\(([\s\S]*?)\)css"/.exec(text('../../report/page/style.h'))[
 // the WebAssembly is separate: as text within the script it would be a third longer
 const script = readFileSync(engine, 'utf8'), before = 'data:application/octet-stream;base64,';
 const from = script.lastIndexOf(before) + before.length, compiled = script.slice(from, script.indexOf(script[from - before.length - 1], from));
-// The page runs only these two scripts and the WebAssembly, in workers too, which are blobs of the page; it fetches nothing
+// The page runs only these three scripts and the WebAssembly, in workers too, which are blobs of the page; it fetches nothing
 // from outside.
-const engineScript = script.replace(compiled, ''), pageScript = bundled.replaceAll('</script', '<\\/script');
+const engineScript = script.replace(compiled, ''), loader = await bundle('loader.js');
 const hash = content => `'sha256-${createHash('sha256').update(content).digest('base64')}'`;
-const policy = `default-src 'none'; script-src ${hash(pageScript)} ${hash(engineScript)} 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; ` +
+const policy = `default-src 'none'; script-src ${hash(loader)} ${hash(bundled)} ${hash(engineScript)} 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; ` +
   "img-src data: blob:; connect-src data:; base-uri 'none'; form-action 'none'";
 const packed = bytes => gzipSync(bytes, {level: 9}).toString('base64');
 const parts = {
   STYLE: style,
-  SCRIPT: pageScript,
+  LOADER: loader,
+  SCRIPT: packed(bundled),
+  CONTACT: text('../../../docs/contact.svg'),
   ENGINE: packed(engineScript),
   POLICY: policy,
   COMPILED: packed(Buffer.from(compiled, 'base64')),
 };
-const page = text('index.html').replace(/\/\*(STYLE|SCRIPT|ENGINE|COMPILED|POLICY)\*\//g, (_, name) => parts[name]);
+const page = text('index.html').replace(/\/\*(STYLE|LOADER|SCRIPT|CONTACT|ENGINE|COMPILED|POLICY)\*\//g, (_, name) => parts[name]);
 writeFileSync(out, page);
 console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

@@ -3,6 +3,7 @@ import * as echarts from 'echarts/core';
 import {CustomChart, LineChart, ScatterChart} from 'echarts/charts';
 import {DataZoomInsideComponent, GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
 import {CanvasRenderer, SVGRenderer} from 'echarts/renderers';
+import {tools} from './tools.js';
 
 echarts.use([CustomChart, LineChart, ScatterChart, DataZoomInsideComponent, GridComponent,
   LegendComponent, TooltipComponent, CanvasRenderer, SVGRenderer]);
@@ -12,7 +13,14 @@ const atOnce = 100;  // marks that are drawn one by one; more as one path, which
 export const token = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 export const color = i => token(`--color-${i}`);
 export const colorOfModel = {a: 1, b: 2, c: 3};
+const looks = ['circle', 'rect', 'triangle', 'diamond', 'arrow'];
+/// Colour and mark of a run: 35 pairs, then the same ones filled.
+export const lookOfRun = i => ({color: color(i % 7), symbol: looks[i % 5], filled: Math.floor(i / 35) % 2 === 1});
 
+/// The page's fonts. Their names are in quotes that may stand in an attribute of a saved SVG.
+export const fonts = () => getComputedStyle(document.body).fontFamily.replaceAll('"', "'");
+export const star = 'path://M0-10L2.9-4L9.5-3.1L4.8 1.5L5.9 8.1L0 5L-5.9 8.1L-4.8 1.5L-9.5-3.1L-2.9-4Z';
+export const degrees = psi => psi * 180 / Math.PI;
 export const shown = (value, digits = 4) => value === 0 ? '0' : Number(value.toPrecision(digits)).toString();
 
 /// All properties of an axis, since one that changes its type loses earlier settings.
@@ -31,9 +39,9 @@ export function figure(id, axes, more = {}) {
   const chart = echarts.init(element, null, {renderer: 'canvas'});
   const entry = {chart, axes, more, hovers: new Map(), handles: new Map()};  // hovers: what a series says of its points, point => HTML
   const frame = () => ({
-    animation: false, textStyle: {fontFamily: getComputedStyle(document.body).fontFamily},
+    animation: false, textStyle: {fontFamily: fonts()},
     grid: {left: 62, right: 16, top: 34, bottom: 46, ...more.grid},
-    legend: {top: 0, formatter: name => brief(name, element.clientWidth), textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
+    legend: {top: 0, formatter: name => brief(name, element.clientWidth), textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, itemWidth: 16, itemHeight: 11, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
     tooltip: {trigger: 'item', confine: true, formatter: one => entry.hovers.get(one.seriesId)?.(one.dataIndex) ?? told(one)},
     dataZoom: [{type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'},
       {type: 'inside', yAxisIndex: axes.y2 ? [0, 1] : 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'}],
@@ -46,10 +54,13 @@ export function figure(id, axes, more = {}) {
   entry.showAll = () => chart.dispatchAction({type: 'dataZoom', batch: [0, 1].map(i => ({dataZoomIndex: i, start: 0, end: 100}))});
   chart.getZr().on('dblclick', entry.showAll);
   chart.on('datazoom', () => entry.resized?.());
+  tools(entry, element);
   new ResizeObserver(() => { chart.resize(); entry.resized?.(); }).observe(element);
   charts.add(entry);
   entry.draw = (series, label, extra = {}) => {
     entry.hovers = new Map(series.map(({id, hover}) => [id, hover]));
+    entry.lines = series.filter(({type, yAxisIndex = 0}) => type === 'line' && yAxisIndex === 0);
+    entry.names = {x: extra.xAxis?.name ?? axes.x.name, y: (extra.yAxis?.[0] ?? extra.yAxis)?.name ?? axes.y.name, y2: extra.yAxis?.[1]?.name};
     chart.setOption({...extra, series}, {replaceMerge: ['series']});
     element.setAttribute('aria-label', label);
   };
@@ -93,14 +104,15 @@ function drawNext() {
   work();
 }
 
-/// A dashed line at x that can be dragged; calls `moved(x)` unless it hardly moved. It is no part of the figure, so that
-/// moving it draws nothing else again. A line that is being dragged stays where it is.
-export function handle(entry, id, x, moved) {
+/// A dashed line at x that can be dragged; calls `moved(x)` unless it hardly moved. `says`: the text beside it. It is no
+/// part of the figure, so that moving it draws nothing else again. A line that is being dragged stays where it is.
+export function handle(entry, id, x, moved, says = '', tint = token('--alert')) {
   const {chart, handles} = entry, place = chart.convertToPixel({xAxisIndex: 0}, x), bottom = 46, top = 34;
   let line = handles.get(id);
   if (line?.held) return;
   if (!line) {
     handles.set(id, line = new echarts.graphic.Line({draggable: 'horizontal', z: 100, cursor: 'ew-resize'}));
+    line.setTextContent(new echarts.graphic.Text({z: 101, silent: true}));
     line.on('dragstart', () => { line.held = true; });
     line.on('dragend', () => {
       line.held = false;
@@ -109,7 +121,12 @@ export function handle(entry, id, x, moved) {
     chart.getZr().add(line);
   }
   line.attr({x: place, y: 0, ignore: !Number.isFinite(place), shape: {x1: 0, y1: top, x2: 0, y2: chart.getHeight() - bottom},
-    style: {stroke: token('--alert'), lineWidth: 2, lineDash: [5, 4], lineCap: 'butt'}});
+    style: {stroke: tint, lineWidth: 2, lineDash: [5, 4], lineCap: 'butt'}});
+  const right = place > chart.getWidth() / 2;
+  line.says = says;
+  line.getTextContent().attr({style: {text: says, fill: tint, font: `12px ${fonts()}`, backgroundColor: token('--paper'),
+    padding: [1, 3], align: right ? 'right' : 'left', verticalAlign: 'top'}});
+  line.setTextConfig({position: [right ? -6 : 6, 2], local: true});
   line.dropped = () => {
     if (Math.abs(line.x - place) < 3) entry.resized?.();
     else moved(chart.convertFromPixel({xAxisIndex: 0}, line.x));
@@ -119,23 +136,6 @@ export function handle(entry, id, x, moved) {
 export function removeHandles({chart, handles}) {
   for (const line of handles.values()) chart.getZr().remove(line);
   handles.clear();
-}
-
-/// The figure as a file's text or bytes, in the page's colours.
-export function svgOf(entry) {
-  const {chart} = entry;
-  const twin = echarts.init(null, null, {renderer: 'svg', ssr: true, width: chart.getWidth(), height: chart.getHeight()});
-  twin.setOption({...chart.getOption(), backgroundColor: token('--paper'), animation: false});
-  const text = twin.renderToSVGString();
-  twin.dispose();
-  return text;
-}
-export async function pngOf({chart, handles}) {
-  const hidden = on => [...handles.values()].forEach(line => line.attr({invisible: on}));
-  hidden(true);
-  const address = chart.getDataURL({type: 'png', pixelRatio: 3, backgroundColor: token('--paper')});
-  hidden(false);
-  return (await fetch(address)).blob();
 }
 
 /// Called when the colours change: light, dark.

@@ -1,5 +1,5 @@
 // The curves of the models at the sliders' values, and a sentence on each model.
-import {color, line, marks, shown} from './charts.js';
+import {color, degrees, line, marks, shown} from './charts.js';
 
 /// Draws the figure `name` of `models`: area, toughness, displacement or radius.
 export function drawCurve(models, name) {
@@ -11,8 +11,18 @@ export function drawCurve(models, name) {
     displacement: `Tangential load against displacement at P = ${shown(state.P)} mN`,
     radius: `Contact radius against normal load at T = ${shown(state.T)} mN`,
   }[name];
-  models.figures[name].draw(there.flatMap(one => series[name](one, models.title(one.model), color(models.tint(one.model)), state)),
-    `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: names}});
+  const behind = name === 'area' ? measuredNear(models.measured, state.P) : null;
+  models.figures[name].draw([...there.flatMap(one => series[name](one, models.title(one.model), color(models.tint(one.model)), state)), ...(behind ? [behind] : [])],
+    `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: [...names, ...(behind ? [behind.name] : [])]}});
+}
+
+/// The points of the user's run with the load nearest to P, if there is one.
+function measuredNear(measured, P) {
+  const run = measured?.runs.reduce((best, one) => (!best || Math.abs(one.P - P) < Math.abs(best.P - P) ? one : best), null);
+  if (!run) return null;
+  const name = `${measured.word} at P = ${shown(run.P)} mN`;
+  return marks('behind', name, run.T.map((T, k) => [Math.abs(T), run.A[k]]), color(7), 'circle', {z: 0, symbolSize: 6,
+    hover: k => `${name}<br>T = ${shown(run.T[k], 5)} mN, A = ${shown(run.A[k], 5)} mm²`});
 }
 
 /// What each figure shows of one model, with the model's title and colour.
@@ -21,11 +31,12 @@ const series = {
     const jump = jumpOf(one);
     return [...twoParts(one, title, tint, one.curve.T, one.curve.A), ...folds(one, title, tint, fold => [fold.T, fold.A]),
       line(`${one.model}-jump`, title, jump ? [[jump.T, jump.A], [jump.T, jump.area_after]] : [], tint, 'dotted'),
+      ...(one.held ? [line(`${one.model}-held`, `${title}, approach held`, one.held.curve.map(([at, A]) => [at, A]), tint, [8, 3, 2, 3])] : []),
       here(one, title, tint, one.state && [Math.abs(T), one.state.A])];
   },
   toughness(one, title, tint) {
-    return [line(`${one.model}-law`, title, one.toughness.map(([psi, f]) => [psi, Math.max(f, 1)]), tint),
-      here(one, title, tint, one.state && one.state.psi !== undefined && [one.state.psi, one.state.f])];
+    return [line(`${one.model}-law`, title, one.toughness.map(([psi, f]) => [degrees(psi), Math.max(f, 1)]), tint),
+      here(one, title, tint, one.state && one.state.psi !== undefined && [degrees(one.state.psi), one.state.f])];
   },
   displacement(one, title, tint) {
     return [...twoParts(one, title, tint, one.curve.u, one.curve.T), ...folds(one, title, tint, fold => [fold.u, fold.T])];
@@ -64,8 +75,14 @@ export function sentence(models, one) {
   const jump = jumpOf(one);
   const beyond = jump ? `beyond its jump, A = ${shown(jump.area_after)} mm² if it slides at that` : 'beyond its last equilibrium';
   const now = one.state ? `A = ${shown(one.state.A)} mm²` : beyond;
-  const names = one.model === models.own?.model ? models.own.parameters.map(({name}) => name) : ['λ'];
-  const chosen = models.parametersOf(one.model).map((value, i) => `${names[i]} = ${shown(value)}`).join(', ');
-  return `${named} (${chosen}): ${now} at T = ${shown(models.state.T)} mN; ` +
-    (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`);
+  return `${named} (${models.chosen(one.model)}): ${now} at T = ${shown(models.state.T)} mN; ` +
+    (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`) + heldText(one.held);
+}
+
+/// What the contact does where its approach is held in place of the load.
+function heldText(held) {
+  if (!held?.curve.length) return '';
+  const [[T, A, P] = []] = held.state ?? [], {end} = held;
+  const now = held.state ? `A = ${shown(A)} mm² and P = ${shown(P)} mN at T = ${shown(T)} mN` : 'no contact at this T';
+  return ` With its approach held at ${shown(held.approach)} µm: ${now}; ${end?.fold ? `jumps at T = ${shown(end.at[0])} mN` : 'does not jump'}.`;
 }

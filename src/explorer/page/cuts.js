@@ -9,8 +9,10 @@ const tint = color => token(/--[\w-]+/.exec(color)?.[0] ?? '--ink');
 const named = label => label.replace(/ \[(.*)\]$/, (_, unit) => ` (${unit.replace('^2', '²')})`);
 
 export class Cuts {
-  constructor() {
-    this.charts = {T: figure('chart-log-T', {x: {name: 't (s)'}, y: {name: 'T'}}), A: figure('chart-log-A', {x: {name: 't (s)'}, y: {name: 'A'}})};
+  /// `name()`: of the log that is read.
+  constructor(name) {
+    const about = {stem: () => name().replace(/\.[^.]*$/, ''), lines: () => [`${name()}, run ${this.log?.runs[Number($('log-run').value)]?.name ?? ''}`]};
+    this.charts = {T: figure('chart-log-T', {x: {name: 't (s)'}, y: {name: 'T'}}, {about}), A: figure('chart-log-A', {x: {name: 't (s)'}, y: {name: 'A'}}, {about})};
     $('log-run').addEventListener('change', () => this.drawAgain());
   }
 

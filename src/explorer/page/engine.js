@@ -3,21 +3,14 @@
 /* global WORKER */
 import {asked, Remote} from './remote.js';
 
-function unpacked(id) {
-  const packed = Uint8Array.from(atob(document.getElementById(id).textContent.trim()), c => c.charCodeAt(0));
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
-}
-
 /// A law with the key that it has on the page.
 const withKey = (model, text) => (/^law_\d+$/.test(model) ? `${model}: ${text}` : text);
 
 /// The engine's functions: those of sliders return their result as an object or throw the engine's sentence with the
 /// recommended options, the others promise it.
 export async function loadEngine() {
-  const [text, module] = await Promise.all([unpacked('engine').text(), unpacked('compiled').arrayBuffer().then(bytes => WebAssembly.compile(bytes))]);
-  const script = document.createElement('script');
-  script.textContent = text;
-  document.head.append(script);
+  const [text, module] = await Promise.all([window.packed.engine, window.packed.module]);
+  window.packed.run(text);
   const engine = await window.mixity({instantiateWasm(imports, receive) {
     WebAssembly.instantiate(module, imports).then(instance => receive(instance, module));
     return {};

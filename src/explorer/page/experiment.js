@@ -1,10 +1,12 @@
 // A user's files: read, cut if they are logs, confirmed, cropped, fitted, saved.
-import {answerHtml, escape, howRead, list, modelsHtml, named} from './answer.js';
-import {pngOf, shown, svgOf} from './charts.js';
+import {answerHtml, buttonsHtml, escape, howRead, list, modelsHtml, named} from './answer.js';
+import {shown} from './charts.js';
 import {Cuts} from './cuts.js';
-import {besideOf, cropped, offer, parted, ranges} from './files.js';
+import {besideOf, copied, cropped, offer, parted, ranges} from './files.js';
 import {FitFigures} from './fit_figures.js';
+import {follow, showOptions, takeOptions, undo} from './options.js';
 import {Stopped} from './remote.js';
+import {storedHtml} from './stored.js';
 
 const $ = id => document.getElementById(id);
 const fitting = 'Fitting …';
@@ -14,7 +16,7 @@ const same = (one, other) => one.length === other.length && one.every(name => ot
 export class Experiment {
   constructor() {
     this.figures = new FitFigures(this);
-    this.cuts = new Cuts();
+    this.cuts = new Cuts(() => this.name ?? '');
     this.turn = 0;
     this.started = new Promise(resolve => {
       this.begin = (engine, models) => {
@@ -36,9 +38,12 @@ export class Experiment {
     $('constants').addEventListener('submit', event => { event.preventDefault(); this.readAgain(); });
     $('columns').addEventListener('change', () => this.readAgain());
     for (const box of document.querySelectorAll('input[name=model]')) box.addEventListener('change', () => this.whole && this.fit());
-    $('run').addEventListener('change', () => {
-      this.figures.drawRun();
-      this.figures.placeEnd();
+    $('run').addEventListener('change', () => this.select($('run').value));
+    $('read').addEventListener('click', ({target}) => {
+      const button = target.closest('button');
+      if (button?.dataset.remedy) follow(this, JSON.parse(button.dataset.remedy));
+      if (button?.dataset.without) undo(this, button.dataset.without);
+      if (button?.dataset.copy) copied({'text/plain': new Blob([button.dataset.copy], {type: 'text/plain'})}, button);
     });
     for (const id of ['crop-first', 'crop-last'])
       $(id).addEventListener('change', () => this.crop(id === 'crop-first' ? 0 : 1, $(id).value === '' ? NaN : Math.round(Number($(id).value)) - 1));
@@ -55,12 +60,17 @@ export class Experiment {
     if (!files.length) return;
     $('read').hidden = false;
     if (!this.engine) this.busy('Starting the engine …');
-    const [{data, beside, definition, problem}] = await Promise.all([parted(files), this.started]);
+    const [{data, beside, definition, stored, problem}] = await Promise.all([parted(files), this.started]);
+    if (stored) {
+      this.stored = stored;
+      this.showStored();
+    }
     if (problem) {
       this.busy('');
       return this.trouble(problem);
     }
     if (definition) return this.openDefinition(definition, data, beside);
+    if (!data.length) return this.busy('');
     return this.take(data, beside);
   }
 
@@ -98,8 +108,10 @@ export class Experiment {
     }
     this.asPoints = false;
     this.options = {...stated.options};
+    this.models.show(null);
     this.from = stated.from;
-    const models = stated.models && this.withLaw(stated);
+    const ellipse = stated.models?.some(one => /-ellipse/.test(one)) ? {shape: 'ellipse'} : {};
+    const models = stated.models && this.withLaw(stated).map(one => one?.replace(/-ellipse.*/, ''));
     for (const box of document.querySelectorAll('input[name=model]')) box.checked = models ? models.includes(box.value) : box.checked;
     this.more = {};
     this.forget();
@@ -109,7 +121,8 @@ export class Experiment {
       field.value = stated.constants?.[field.name] ?? '';
       delete field.dataset.shown;
     }
-    this.more = Object.fromEntries(Object.entries(stated.constants ?? {}).filter(([name]) => name !== 'columns' && !$('constants').elements[name]));
+    this.more = Object.fromEntries(Object.entries({...stated.constants, ...ellipse}).filter(([name]) => name !== 'columns' && !$('constants').elements[name]));
+    showOptions(this);
     return this.reading(step);
   }
 
@@ -131,7 +144,7 @@ export class Experiment {
     } catch (error) {
       if (turn !== this.turn) return;
       this.forgetFit();
-      this.trouble(error instanceof Stopped ? 'Stopped. Press Fit to begin again.' : error.message);
+      this.trouble(error instanceof Stopped ? 'Stopped. Press Fit to begin again.' : error.message, error.buttons);
     }
     if (turn === this.turn) this.busy('');
   }
@@ -160,16 +173,34 @@ export class Experiment {
     this.result = null;
     $('told').innerHTML = '';
     $('downloads').hidden = $('others').hidden = true;
+    $('residuals').hidden = $('axes').hidden = true;
+    $('drawn').hidden = true;
   }
 
-  trouble(sentence) {
+  trouble(sentence, buttons = []) {
     $('read').hidden = false;
     $('constants').hidden = $('mapping').hidden = !this.name;
     $('trouble').textContent = sentence;
+    if (buttons.length) $('trouble').insertAdjacentHTML('beforeend', `<br>${buttonsHtml(buttons)}`);
     $('trouble').hidden = !sentence;
   }
 
-  fields() { return $('constants').querySelectorAll('input:not([type=checkbox])'); }
+  /// Results that were dropped, beside those of the fit at hand.
+  showStored() {
+    $('stored').hidden = !this.stored;
+    if (this.stored) $('stored').innerHTML = named(storedHtml(this.stored, this.result));
+  }
+
+  /// Shows a run by its number.
+  select(run) {
+    $('run').value = String(run);
+    this.setLoad();
+    this.figures.draw();
+  }
+
+  stem() { return (this.log?.data ?? this.source?.data[0].name ?? 'mixity').replace(/\.[^.]*$/, ''); }
+
+  fields() { return $('constants').querySelectorAll('input[name]:not([type=checkbox])'); }
 
   /// The constants in the form: {name: text}.
   constants() {
@@ -183,7 +214,9 @@ export class Experiment {
   fitted() { return this.log ? [[this.log.data], {}] : [names(this.source.data), this.constants()]; }
 
   readAgain() {
-    if (this.name) return this.job(step => this.reading(step));
+    if (!this.name) return undefined;
+    takeOptions(this);
+    return this.job(step => this.reading(step));
   }
 
   /// Reads the files with the form's constants, cuts them if they are logs, shows how that was done, and fits.
@@ -209,6 +242,8 @@ export class Experiment {
     this.whole = true;
     for (const [name, text] of Object.entries(told.constants)) {
       const field = $('constants').elements[name];
+      // the program takes a Poisson's ratio beside E* from the TOML only, which stays beside the data
+      if (name === 'poisson_ratio' && !told.constants.youngs_modulus && !told.constants.mode_III) continue;
       if (!field && !this.log) this.more[name] = text.exact;  // from a TOML; saved files must include it
       if (!field || field.value) continue;
       field.value = field.dataset.shown = text.shown;
@@ -222,18 +257,19 @@ export class Experiment {
       if (told.runs) this.options.exclude = between;
     }
     this.lines = lines;
+    showOptions(this);
     const selected = this.selected();
     $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `P = ${shown(run.P)}`)}</option>`).join('');
     if (selected < this.kept.length) $('run').value = String(selected);
     $('measured').hidden = false;
-    $('crop').hidden = !told.runs;
+    $('crop').hidden = !told.runs?.length;
     this.forgetFit();
     this.figures.draw();
     return this.fitNow(step);
   }
 
   /// Shows why files were not read; if only constants are missing, also their columns.
-  async notRead(step, {message}) {
+  async notRead(step, {message, buttons}) {
     const [given, constants] = this.fitted();
     $('log').hidden = !this.log;
     try {
@@ -244,17 +280,17 @@ export class Experiment {
       $('mapping').open = !$('more').open;
       $('read-title').textContent = this.name;
       $('taken').innerHTML = '';
-      return this.trouble(error.message);
+      return this.trouble(error.message, error.buttons);
     }
     this.showRead(false);
-    this.trouble(`${message}: fill in the sphere and the constants above, with their units, and press Fit.`);
+    this.trouble(`${message}: fill in the sphere and the constants above, with their units, and press Fit.`, buttons);
     $('constants').querySelector('input:placeholder-shown')?.focus();
   }
 
   showRead(whole) {
     const {told, log} = this, runs = told.runs ? `, ${told.runs.length} run${told.runs.length === 1 ? '' : 's'}` : '';
     $('read-title').textContent = log ? `${this.name}: a log with ${told.runs.length} loading run${told.runs.length === 1 ? '' : 's'}, ${told.points} points`
-      : `${this.name}: ${told.points} of ${told.rows} rows${runs}`;
+      : `${this.name}: ${told.points + (told.pull_off?.points.length ?? 0)} of ${told.rows} rows${told.points ? runs : ', all of them pull-off loads'}`;
     $('taken').innerHTML = list(howRead(told, this.from, whole, name => !$('constants').elements[name]));
     $('log').hidden = !log;
   }
@@ -287,9 +323,10 @@ export class Experiment {
     this.time = performance.now() - begin;
     $('told').innerHTML = named(answerHtml(this.result));
     $('models').innerHTML = named(modelsHtml(this.result));
-    $('downloads').hidden = $('others').hidden = false;
+    $('downloads').hidden = $('others').hidden = $('drawn').hidden = false;
     this.figures.draw();
     this.setSliders();
+    this.showStored();
   }
 
   /// Sets the sliders of the models to the fitted values.
@@ -301,6 +338,22 @@ export class Experiment {
     const own = fits.find(fit => fit.model === this.models.own?.model);
     if (own) this.models.takeOwn(Object.values(own.parameters).slice(0, this.models.own.parameters.length).map(({value}) => value));
     this.models.take(values);
+    this.showBehind();
+    this.setLoad();
+  }
+
+  /// The points behind the curves of the sliders.
+  showBehind() {
+    const {told, result} = this, contact = result?.drawn.contact;
+    const keeps = (i, values) => values.filter((_, k) => this.figures.keeps(i)(k));
+    this.models.show(told?.runs && contact ? {word: told.notice ? 'reconstructed' : 'measured',
+      runs: told.runs.map((run, i) => ({P: run.P * contact.mN, T: keeps(i, run.T).map(T => T * contact.mN), A: keeps(i, run.A).map(A => A * contact.mm2)}))} : null);
+  }
+
+  /// Sets the sliders to the selected run: its load, and half of its largest T.
+  setLoad() {
+    const run = this.models.measured?.runs[this.selected()];
+    if (run?.T.length) this.models.take({P: Number(run.P.toPrecision(6)), T: Number((.5 * Math.max(...run.T.map(Math.abs))).toPrecision(4))});
   }
 
   selected() { return Number($('run').value || 0); }
@@ -314,18 +367,16 @@ export class Experiment {
     this.figures.draw();
   }
 
-  async save(what) {
+  save(what) {
     const cut = this.log?.files[what];
     if (cut) return offer(cut, cut.endsWith('.csv') ? 'text/csv' : 'application/toml', this.log.contents[cut]);
     if (!this.result) return;
-    const stem = (this.log?.data ?? this.source.data[0].name).replace(/\.[^.]*$/, '');
+    const stem = this.stem();
     const files = {
       used: () => [`${stem}_used.csv`, 'text/csv', this.result.used],
       fit: () => [`${stem}_fit.json`, 'application/json', JSON.stringify(this.result.fits, null, 2) + '\n'],
       toml: () => [`${stem}_fit.toml`, 'application/toml', this.result.definition],
-      svg: () => [`${stem}.svg`, 'image/svg+xml', svgOf(this.figures.all)],
-      png: async () => [`${stem}.png`, 'image/png', await pngOf(this.figures.all)],
     };
-    offer(...await files[what]());
+    offer(...files[what]());
   }
 }

@@ -1,16 +1,19 @@
 // Dropped and saved files, and line numbers as text.
 
+import {storedIn} from './stored.js';
+
 const textOf = file => new TextDecoder().decode(file.bytes);
 const isToml = file => /\.toml$/i.test(file.name);
 /// The name of the TOML beside a file.
 export const besideOf = name => name.replace(/(\.[A-Za-z]\w*)?$/, '.toml');
 
-/// Sorts dropped files: {data: [file], beside: {name of a data file: its TOML}, definition: of a fit, problem: why they
-/// are not used}. A TOML whose name is that of no data file states constants of all, as one beside the first does.
+/// Sorts dropped files: {data: [file], beside: {name of a data file: its TOML}, definition: of a fit, stored: results,
+/// problem: why they are not used}. A TOML whose name is that of no data file states constants of all, as one beside the first does.
 export async function parted(files) {
   const all = await Promise.all(files.map(async file => ({name: file.name.replaceAll('/', '_'), bytes: new Uint8Array(await file.arrayBuffer())})));
   const tomls = all.filter(isToml), definition = tomls.find(file => /^\s*(data\s*=|\[\[runs\]\])/m.test(textOf(file)));
-  const data = all.filter(file => !isToml(file)), other = data.find(({name}) => /\.(json|html?|svg|png|jpe?g|gif|pdf|docx?)$/i.test(name));
+  const results = all.filter(({name}) => /\.json$/i.test(name)).map(file => [file, storedIn(file)]).filter(([, stored]) => stored), stored = results.at(-1)?.[1];
+  const data = all.filter(file => !isToml(file) && !results.some(([result]) => result === file)), other = data.find(({name}) => /\.(json|html?|svg|png|jpe?g|gif|pdf|docx?)$/i.test(name));
   const beside = {}, stray = [];
   for (const toml of tomls.filter(file => file !== definition)) {
     const of = data.find(({name}) => besideOf(name) === toml.name);
@@ -20,8 +23,8 @@ export async function parted(files) {
   if (data.length && !beside[data[0].name] && stray.length) beside[data[0].name] = stray.shift();
   const problem = other ? `${other.name} is no table: drop the data as CSV, text or .xlsx, and with them a TOML if there is one.`
     : stray.length && data.length ? `${stray[0].name} has the name of no file of data: name it as the file that it belongs to.`
-    : data.length || definition ? '' : 'That is a TOML alone: drop the data with it.';
-  return {data: data.sort((one, other) => one.name.localeCompare(other.name, 'en', {numeric: true})), beside, definition, problem};
+    : data.length || definition || stored ? '' : 'That is a TOML alone: drop the data with it.';
+  return {data: data.sort((one, other) => one.name.localeCompare(other.name, 'en', {numeric: true})), beside, definition, stored, problem};
 }
 
 /// The file of a line that is counted through all `files` of a data set, and its number there; no name if there is one.
@@ -75,4 +78,16 @@ export function offer(name, type, content) {
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+/// Puts content on the clipboard, {type: bytes or a promise of them}, and says so in the element `says` for a while.
+export async function copied(content, says) {
+  const before = says.matches('button') ? says.textContent : '';
+  try {
+    await navigator.clipboard.write([new ClipboardItem(content)]);
+    says.textContent = 'Copied';
+  } catch (error) {
+    says.textContent = `Not copied: the browser does not allow it (${error.message})`;
+  }
+  setTimeout(() => { says.textContent = before; }, 2000);
 }

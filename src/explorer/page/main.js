@@ -1,6 +1,7 @@
 import {onTheme} from './charts.js';
 import {loadEngine} from './engine.js';
 import {Experiment} from './experiment.js';
+import {laws, meaning} from './laws.js';
 import {Models} from './models.js';
 import {read} from './state.js';
 import {sample} from './sample.js';
@@ -9,6 +10,8 @@ const bytesOf = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
 
 async function start() {
   const experiment = new Experiment();
+  experiment.open(window.early.length ? window.early : [...document.getElementById('file').files]);  // given before this script ran
+  document.querySelector('#meanings dl').innerHTML = Object.keys(laws).map(key => `<dt>${key}</dt><dd>${meaning(key)}</dd>`).join('');
   const engine = await loadEngine();
   document.getElementById('version').textContent = engine.version;
   const models = new Models(engine, read());
@@ -32,6 +35,7 @@ async function start() {
     button.addEventListener('click', () => take(one));
     choice.append(' ', button);
   }
+  performance.mark('ready');
   window.explorer = {engine, models, experiment};  // for use from the browser's console
 }
 

@@ -1,6 +1,7 @@
 // The sliders, and the models at their values.
-import {colorOfModel, figure} from './charts.js';
+import {colorOfModel, figure, shown} from './charts.js';
 import {drawCurve, sentence} from './curves.js';
+import {laws, meaning} from './laws.js';
 import {RegimeMap} from './map.js';
 import {slider} from './slider.js';
 import {byDecades, quantities, read, valid, write} from './state.js';
@@ -13,27 +14,52 @@ export class Models {
   constructor(engine, state) {
     this.engine = engine;
     this.state = state;
+    const about = {stem: () => 'mixity', lines: () => this.about()};
     this.figures = {
-      area: figure('chart-area', {x: {name: 'T (mN)', min: 0}, y: {name: 'A (mm²)', min: 0}}),
-      toughness: figure('chart-toughness', {x: {name: 'ψ (rad)', min: 0, max: 1.58}, y: {name: 'Gc/GIc', type: 'log', min: 1, max: 1000}}),
-      displacement: figure('chart-displacement', {x: {name: 'u (µm)', min: 0}, y: {name: 'T (mN)', min: 0}}),
-      radius: figure('chart-radius', {x: {name: 'P (mN)'}, y: {name: 'a (mm)', min: 0}}),
-      map: figure('chart-map', {x: {name: 'P (mN)'}, y: {name: 'λ', type: 'log', min: 1e-5, max: 1}}),
+      area: figure('chart-area', {x: {name: 'T (mN)', min: 0}, y: {name: 'A (mm²)', min: 0}}, {about}),
+      toughness: figure('chart-toughness', {x: {name: 'ψ (°)', min: 0, max: 90, interval: 15}, y: {name: 'Gc/GIc', type: 'log', min: 1, max: 1000}}, {about}),
+      displacement: figure('chart-displacement', {x: {name: 'u (µm)', min: 0}, y: {name: 'T (mN)', min: 0}}, {about}),
+      radius: figure('chart-radius', {x: {name: 'P (mN)'}, y: {name: 'a (mm)', min: 0}}, {about}),
+      map: figure('chart-map', {x: {name: 'P (mN)'}, y: {name: 'λ', type: 'log', min: 1e-5, max: 1}}, {about}),
     };
+    this.measured = null;  // the user's points behind the curves, in mN and mm²
     this.turn = Object.keys(this.figures);
     this.map = new RegimeMap(engine, this, this.figures.map);
     this.makeSliders();
     this.field = document.getElementById('law');
+    this.held = document.getElementById('held');
+    this.held.checked = state.held;
+    this.held.addEventListener('change', () => { state.held = this.held.checked; this.redraw(); });
     document.getElementById('own').addEventListener('submit', event => { event.preventDefault(); this.typed(this.field.value.trim()); });
     this.define(state.law, state.own);
     addEventListener('hashchange', () => {
-      const {map, over, off, law, own, ...values} = read();
-      Object.assign(state, {map, over, off});
+      const {map, over, off, law, own, held, ...values} = read();
+      Object.assign(state, {map, over, off, held});
+      this.held.checked = held;
       this.define(law, own);
       for (const model of models) document.querySelector(`[aria-label='model ${model} drawn']`).checked = !off.has(model);
       this.take(values);
     });
     this.redraw();
+  }
+
+  /// The lines at the top of a saved figure.
+  about() {
+    const {state} = this, drawn = (this.all ?? []).map(({model}) => `${this.named(model)} (${this.chosen(model)})`);
+    return [drawn.join('; '), quantities.filter(q => !q.model).map(q => `${q.label.split(' ').at(-1)} = ${shown(state[q.key])} ${q.unit}`).join(', ')];
+  }
+
+  /// "model c, Papangelo-Ciavarella 2019", and "λ = 0.0023".
+  named(model) { return laws[model] ? `model ${model}, ${laws[model].name}` : this.title(model); }
+  chosen(model) {
+    const names = model === this.own?.model ? this.own.parameters.map(({name}) => name) : ['λ'];
+    return this.parametersOf(model).map((value, i) => `${names[i]} = ${shown(value)}`).join(', ');
+  }
+
+  /// Shows points of the user behind the curves: {word, runs: [{P, T, A}]}, in mN and mm²; null removes them.
+  show(measured) {
+    this.measured = measured;
+    if (this.all) this.drawAgain('area');
   }
 
   /// Defines a law that was just typed, and shows its map.
@@ -107,7 +133,11 @@ export class Models {
     for (const q of quantities) {
       const set = value => { state[q.key] = value; this.schedule(); };
       this.sliders[q.key] = slider(form, `slider-${q.key}`, q, {tint: q.model && colorOfModel[q.key], get: () => state[q.key], set, parse: text => valid(q, text)});
-      if (q.model) this.sliders[q.key].box.append(this.switchOf(q.key));
+      if (!q.model) continue;
+      const box = this.sliders[q.key].box, says = document.createElement('p');
+      says.className = 'soft meaning';
+      says.innerHTML = meaning(q.key);
+      box.append(this.switchOf(q.key), says);
     }
   }
 
@@ -152,12 +182,12 @@ export class Models {
     const wanted = [...models.filter(m => !state.off.has(m)), ...(this.own ? [this.own.model] : [])];
     const T_most = Math.max(2 * Math.abs(state.T), 1), P_most = Math.max(2 * Math.abs(state.P), 5);
     try {
-      this.all = this.engine.draw({...this.constants(), P: state.P, T: state.T, T_most, P_most, models: wanted.map(m => ({model: m, parameters: this.parametersOf(m)}))});
+      this.all = this.engine.draw({...this.constants(), P: state.P, T: state.T, T_most, P_most, held: state.held, models: wanted.map(m => ({model: m, parameters: this.parametersOf(m)}))});
     } catch (error) {
       document.getElementById('says').textContent = error.message;
       return;
     }
-    document.getElementById('says').textContent = this.all.map(one => sentence(this, one)).join(' ');
+    document.getElementById('says').textContent = this.all.map(one => sentence(this, one)).join('\n');
     this.stale = new Set(Object.keys(this.figures));
     this.drawSome(begin);
   }

@@ -2,10 +2,10 @@
 
 export class Stopped extends Error {}
 
-/// The engine's JSON as an object; throws its sentence with the recommended options.
+/// The engine's JSON as an object; throws its sentence with the recommended options and buttons.
 export function asked(text) {
   const told = JSON.parse(text);
-  if (told.error) throw Object.assign(new Error(told.error), {options: told.options ?? []});
+  if (told.error) throw Object.assign(new Error(told.error), {options: told.options ?? [], buttons: told.buttons ?? []});
   return told;
 }
 

@@ -36,6 +36,7 @@ export function read() {
   for (const key of (stated.get('without') ?? '').split('')) state.off.add(key);
   state.law = stated.get('law') ?? '';
   state.own = (stated.get('own') ?? '').split(',').filter(Boolean).map(Number);
+  state.held = stated.get('held') === '1';  // whether the held approach is drawn, too
   state.map = ['a', 'b', 'c', ...(state.law ? ['own'] : [])].includes(stated.get('map')) ? stated.get('map') : 'b';
   state.over = stated.get('over') ?? '';  // the parameter on the map's axis
   return state;
@@ -47,6 +48,7 @@ export function write(state) {
   const stated = new URLSearchParams();
   for (const q of quantities) stated.set(q.key, String(state[q.key]));
   if (state.off.size) stated.set('without', [...state.off].sort().join(''));
+  if (state.held) stated.set('held', '1');
   stated.set('map', state.map);
   if (state.law) {
     stated.set('law', state.law);
