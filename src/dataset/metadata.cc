@@ -380,7 +380,8 @@ void require_whole_modulus(const Metadata& metadata, const std::string& path, co
   if (metadata.modulus && metadata.youngs_modulus)
     throw InputError(path, "states both modulus and youngs_modulus; state one");
   if (metadata.youngs_modulus.has_value() == metadata.poisson_ratio.has_value()) return;
-  if (metadata.poisson_ratio && metadata.mode_III == ModeIII::averaged) return;
+  // beside E* it is that of mode III
+  if (metadata.poisson_ratio && (metadata.modulus || metadata.mode_III == ModeIII::averaged)) return;
   const std::string_view given = metadata.youngs_modulus ? "youngs_modulus" : "poisson_ratio",
                          missing = metadata.youngs_modulus ? "poisson_ratio" : "youngs_modulus";
   for (const auto& [name, text] : overrides)

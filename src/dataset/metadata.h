@@ -155,8 +155,8 @@ Overrides constants_as_stated(const Metadata& metadata);
 void apply_overrides(const Overrides& overrides, Metadata& metadata);
 
 /// Throws InputError if the constants that give the modulus are contradictory or incomplete. The message names the
-/// override if that is one half of a pair, otherwise the file at `path`. Where mode III is averaged, poisson_ratio may
-/// stand by itself.
+/// override if that is one half of a pair, otherwise the file at `path`. poisson_ratio may stand beside modulus and,
+/// where mode III is averaged, by itself.
 void require_whole_modulus(const Metadata& metadata, const std::string& path, const Overrides& overrides = {});
 
 /// The number of the table to be read; null if none is stated.
