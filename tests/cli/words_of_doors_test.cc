@@ -17,9 +17,9 @@ struct Worded {
 TEST(WordsOfDoors, AreFlagsKeywordsAndFields) {
   const Worded all[] = {
       {"check it, or " + Remedy::set("free", "modulus"), "check it, or --free=modulus", "check it, or free=\"modulus\"",
-       "check it, or free=\"modulus\" in the program", "check it, or free = \"modulus\""},
+       "check it, or “Fit modulus too”", "check it, or free = \"modulus\""},
       {Remedy::set("decimal", ",") + " or " + Remedy::set("decimal", "."), "--decimal=\",\" or --decimal=\".\"",
-       "decimal=\",\" or decimal=\".\"", "decimal=\",\" in the program or decimal=\".\" in the program",
+       "decimal=\",\" or decimal=\".\"", "“Read , as the decimal sign” or “Read . as the decimal sign”",
        "decimal = \",\" or decimal = \".\""},
       {Remedy::set("columns", "P=1 (mN),T=2 (N)"), "--columns=\"P=1 (mN),T=2 (N)\"",
        "columns={\"P\": \"1 (mN)\", \"T\": \"2 (N)\"}", "write P=1 (mN),T=2 (N) under “Take other columns”",
@@ -36,14 +36,14 @@ TEST(WordsOfDoors, AreFlagsKeywordsAndFields) {
        "needs both: state them: radius=..., modulus=...", "needs both", "needs both: state them"},
       {Remedy::given("radius") + "is 0", "--radius: is 0", "radius: is 0", "is 0", "radius: is 0"},
       {"with " + Remedy::set("weighted", "true"), "with --weighted", "with weighted=True",
-       "with weighted=\"true\" in the program", "with weighted = \"true\""},
+       "with weighted=\"true\" under “More of the fit”", "with weighted = \"true\""},
       {"all with " + Remedy::set("format", "json"), "all with --format=json", "all with to_dict()",
        "all with format=\"json\" in the program", "all with format = \"json\""},
       {"give " + Remedy::fill_in("loads"), "give --loads=...", "give loads=...", "give loads=\"...\" in the program",
        "give loads = ..."},
       {"fit it with " + Remedy{Remedy::Kind::set, {{"objective", "curve"}, {"free", "toughness"}}},
        "fit it with --objective=curve --free=toughness", "fit it with objective=\"curve\", free=\"toughness\"",
-       "fit it with objective=\"curve\", free=\"toughness\" in the program",
+       "fit it with “Fit with the objective curve”, “Fit toughness too”",
        "fit it with objective = \"curve\", free = \"toughness\""},
   };
   for (const Worded& one : all) {

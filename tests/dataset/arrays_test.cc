@@ -78,7 +78,7 @@ TEST(Arrays, AreTheDataSetOfAFileToTheLastBit) {
     EXPECT_EQ(texts_of(made.notes), texts_of(file.notes)) << path;
     EXPECT_EQ(made.excluded.size(), file.excluded.size());
   }
-  EXPECT_EQ(sets, 4u);
+  EXPECT_EQ(sets, 8u);
 }
 
 TEST(Arrays, AreExcludedAndRefusedAsRowsOfAFile) {
