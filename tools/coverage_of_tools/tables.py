@@ -9,6 +9,7 @@ from coverage_of_tools import problems
 from coverage_of_tools.campaign import number_of
 from coverage_of_tools.objectives import COVERAGES
 
+FEWEST = 16  # answers; coverage of fewer is not shown
 HEADER = ["tool", "n", "68 %", "95 %", "width", "bias", "says so, %", "does not say so, %"]
 
 
@@ -25,7 +26,7 @@ def row_of(tool, lines, truth):
     """Of one tool in one cell. Coverage, width and bias are of the answers that the tool does not itself call a failure."""
     every = [(line, line["tools"][tool]) for line in lines if tool in line["tools"]]
     good = [(line, one) for line, one in every if not one["said"] and one["ends"]]
-    row = {"replicates": len(every), "said": share([bool(one["said"]) for _, one in every])[0]}
+    row = {"replicates": len(every), "answers": len(good), "said": share([bool(one["said"]) for _, one in every])[0]}
     for level in COVERAGES:
         found = [[number_of(end) for end in one["ends"][level]] for _, one in good if level in one["ends"]]
         row[f"coverage {level}"], row[f"error {level}"] = share([low <= truth <= high for low, high in found])
@@ -55,7 +56,7 @@ def width(ends):
 
 def exact_row(lines, truth):
     found = [line["exact"][1] for line in lines if "exact" in line]
-    row = {"replicates": len(found), "width": 1.0}
+    row = {"replicates": len(found), "answers": len(found), "width": 1.0}
     for level in COVERAGES:
         row[f"coverage {level}"], row[f"error {level}"] = share([ends[level][0] <= truth <= ends[level][1] for ends in found])
     return row
@@ -90,7 +91,7 @@ def order(tool):
 def cells_of(tool, row):
     def shown(key, form, error=None):
         value = row.get(key)
-        if value is None:
+        if value is None or row.get("answers", 0) < FEWEST and key not in ("said", "unsaid"):
             return ""
         return format(value, form) + (f" ± {row[error]:.1f}" if error else "")
     return [tool, str(row["replicates"]), shown("coverage 68", ".1f", "error 68"), shown("coverage 95", ".1f", "error 95"),
@@ -105,6 +106,7 @@ def text(results):
         rows = [cells_of(tool, row) for tool, row in result["tools"].items()]
         parts.append(f"{result['cell']}\n\n{markdown(HEADER, rows)}\n")
     return "\n".join(parts)
+
 
 
 VARIATIONS = {"known": "known", "to a factor": "factor", "proportional": "prop.", "floor and proportional": "floor + prop.",
@@ -125,12 +127,13 @@ def by_problem(results, name):
     rows = []
     for tool in tools:
         base = cells_of(tool, found.get("", {}).get(tool, {"replicates": ""}))
-        rows.append([tool, *base[1:], *(whole(found[key].get(tool, {}).get("coverage 95")) for key in others)])
+        rows.append([tool, *base[1:], *(whole(found[key].get(tool, {})) for key in others)])
     return [*HEADER, *(VARIATIONS[key] for key in others)], rows
 
 
-def whole(value):
-    return "" if value is None else f"{value:.0f}"
+def whole(row):
+    """Coverage in whole %; of fewer answers than 16 it says nothing."""
+    return f"{row['coverage 95']:.0f}" if row.get("coverage 95") is not None and row["answers"] >= FEWEST else ""
 
 
 def page_tables(results):
