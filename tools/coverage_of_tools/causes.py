@@ -66,7 +66,8 @@ def odrpack_at_bound(count=100):
         at_bound += theta[1] < 1e-6
         fatal += said and theta[1] < 1e-6
         fatal_elsewhere += said and theta[1] >= 1e-6
-    yield f"bound, odrpack: a fatal error in {fatal} of {at_bound} at the bound, {fatal_elsewhere} of {count - at_bound} elsewhere"
+    yield (f"bound, odrpack: a fatal error in {fatal} of {at_bound} at the bound, {fatal_elsewhere} of {count - at_bound} "
+           "elsewhere")
 
 
 def student(count=200):
@@ -79,7 +80,8 @@ def student(count=200):
             (answer,) = tool(problem, cell, problems.experiment(cell, number)).values()
             for key, factor in (("1.96", LEVELS["95"]), ("t", t)):
                 covered[key] += abs(answer.value - problem.truth) < factor * answer.stderr
-        yield f"{name}, 6 points, +/- 1.96 standard errors {covered['1.96'] / count:.1%}, +/- t of them {covered['t'] / count:.1%}"
+        yield (f"{name}, 6 points, +/- 1.96 standard errors {covered['1.96'] / count:.1%}, +/- t of them "
+               f"{covered['t'] / count:.1%}")
 
 
 def run():

@@ -3,7 +3,7 @@
 import html
 import math
 
-from coverage_of_tools import problems
+from coverage_of_tools import problems, tables
 
 # Okabe and Ito's colours, with a shape each for those who print in grey
 MARKS = {"known": ("#0072B2", "o"), "to a factor": ("#56B4E9", "s"), "proportional": ("#009E73", "^"),
@@ -21,7 +21,7 @@ def look(result):
         value = result[key]
         if value != base:
             return f"errors {value}" if key == "errors" else f"{value} points" if key == "points" else value, *MARKS[value]
-    return "20 points, errors unknown, constant noise", "#000000", "base"
+    return "20 points, errors unknown, constant", "#000000", "base"
 
 
 def mark(shape, x, y, colour):
@@ -57,13 +57,13 @@ def axes(tools, bottom):
             colour = "#444444" if tick in (1, 95) else "#e4e4e4"
             yield f'<path d="M{x:.1f} {TOP}V{bottom + 4}" stroke="{colour}"/>'
             if tick != 95:
-                yield text(f"{x:.1f}", bottom + 17, f"{tick:g}", "middle", 11)
+                yield text(f"{x:.1f}", bottom + 17, ("≤" if tick == LOWEST else "") + f"{tick:g}", "middle", 11)
     yield text(sum(ENDS[0]) / 2, bottom + 34, "95 % intervals that hold the truth, %", "middle")
     yield text(sum(ENDS[1]) / 2, bottom + 34, "width over the exact likelihood's", "middle")
 
 
 def drawn(name, results):
-    tools = list(dict.fromkeys(tool for result in results for tool in result["tools"]))
+    tools = tables.tools_of(result["tools"] for result in results)
     bottom = TOP + ROW * len(tools)
     height = bottom + 44 + LEGEND * math.ceil(len(results) / 3) + 8
     title = f"{problems.PROBLEMS[name].title}: coverage and width of {len(tools)} intervals"
@@ -76,7 +76,7 @@ def drawn(name, results):
         for place, tool in enumerate(tools):
             row = result["tools"].get(tool, {})
             for at, key in ((of_coverage, "coverage 95"), (of_width, "width")):
-                if row.get(key) is not None:
+                if row.get(key) is not None and row["answers"] >= tables.FEWEST:
                     lines.append(mark(shape, at(row[key]), TOP + ROW * place + shift, colour))
         x, y = 20 + 250 * (number % 3), bottom + 56 + LEGEND * (number // 3)
         lines += [mark(shape, x, y - 4, colour), text(x + 12, y, label, size=11)]

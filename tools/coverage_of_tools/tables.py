@@ -80,12 +80,17 @@ def summary(lines, cells):
     return results
 
 
-ORDER = ["curve_fit", "least_squares", "scipy.odr", "odrpack", "lmfit", "iminuit", "emcee", "mixity, profile", "mixity, Wald",
-         "mixity, credible", "mixity, bootstrap", "mixity"]
+ORDER = ["exact", "curve_fit", "least_squares", "scipy.odr", "odrpack", "lmfit", "iminuit", "emcee", "mixity, profile",
+         "mixity, Wald", "mixity, credible", "mixity, bootstrap", "mixity"]
 
 
 def order(tool):
     return next(i for i, name in enumerate(ORDER) if tool.startswith(name)), tool
+
+
+def tools_of(rows_of_cells):
+    """Names of all tools of these cells, in the order of the tables."""
+    return sorted({tool for rows in rows_of_cells for tool in rows}, key=order)
 
 
 def cells_of(tool, row):
@@ -108,7 +113,6 @@ def text(results):
     return "\n".join(parts)
 
 
-
 VARIATIONS = {"known": "known", "to a factor": "factor", "proportional": "prop.", "floor and proportional": "floor + prop.",
               "memory 0.6": "memory", "2 % outliers": "outliers", 6: "6 pts", 100: "100 pts", 1000: "1000 pts"}
 MARK = "<!-- tables: tools/who_covers writes what follows -->"
@@ -122,7 +126,7 @@ def variation(result):
 def by_problem(results, name):
     """A row for each tool: its base cell in full, and the 95 % coverage of the others."""
     found = {variation(result): result["tools"] for result in results if result["problem"] == name}
-    tools = list(dict.fromkeys(tool for rows in found.values() for tool in rows))
+    tools = tools_of(found.values())
     others = [key for key in VARIATIONS if key in found]
     rows = []
     for tool in tools:
