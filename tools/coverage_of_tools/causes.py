@@ -4,6 +4,7 @@ import warnings
 
 import lmfit
 import numpy as np
+import odrpack
 from scipy import stats
 from scipy.optimize import least_squares
 
@@ -70,6 +71,23 @@ def odrpack_at_bound(count=100):
            "elsewhere")
 
 
+def odrpack_steps(count=200):
+    """The implicit form's standard error, with lambda as it is and with 1 + lambda as the parameter, or with another step."""
+    cell, problem = cell_of("zero", "known")
+    for shift, options, words in ((0.0, {}, "lambda"), (1.0, {}, "1 + lambda"), (0.0, {"step_beta": [1e-6]}, "step_beta=1e-6")):
+        covered = succeeded = 0
+        for number in range(count):
+            data = problems.experiment(cell, number)
+            done = odrpack.odr_fit(lambda x, beta: data.curve.equation([beta[0] - shift], x[0], x[1]), np.array([data.x, data.y]),
+                                   np.zeros_like(data.x), problem.start + shift, bounds=([shift], [1 + shift]),
+                                   task="implicit-ODR", weight_x=1 / np.array([data.sigma_x, data.sigma_y]) ** 2, **options)
+            if done.success:
+                succeeded += 1
+                stderr = done.sd_beta[0] / np.sqrt(done.res_var)
+                covered += abs(done.beta[0] - shift - problem.truth) < LEVELS["95"] * stderr
+        yield f"zero, errors known, odrpack implicit, forward, {words}: {100 * covered / succeeded:.1f} % of 95 %"
+
+
 def student(count=200):
     for name in ("far", "line", "b", "bk"):
         cell, problem = cell_of(name, points=6)
@@ -87,6 +105,6 @@ def student(count=200):
 def run():
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        for cause in (effective_variance, lmfit_starts, odrpack_at_bound, student):
+        for cause in (effective_variance, lmfit_starts, odrpack_at_bound, odrpack_steps, student):
             for line in cause():
                 print(line, flush=True)
