@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fitting/assumed_ratio.h"
 #include "fitting/consistency.h"
 #include "fitting/fit.h"
 #include "fitting/fitter.h"
@@ -55,6 +56,16 @@ FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOpt
 }
 
 void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, std::optional<double> to_beat) {
+  if (result.status == FitStatus::ok && options.checks) {
+    const std::vector<std::size_t> used(result.used.begin(), result.used.end());
+    const Message ratio = ratio_of_errors_matters(data, result, [&](const Dataset& other) {
+      return fit(other, result.model, value_only(options), Purpose::values, &used, nullptr);
+    });
+    if (!ratio.empty()) {
+      result.status = FitStatus::suspect;
+      result.message = ratio;
+    }
+  }
   if (!result.consistency) return;
   const Refit refit = [&](const FitOptions& with, const std::vector<std::size_t>& points,
                           const std::vector<FittedParameter>* near) {

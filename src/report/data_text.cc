@@ -25,7 +25,7 @@ void write_reading(std::ostringstream& out, const Dataset& data) {
       << (data.contact     ? "dimensional"
           : data.has_loads ? "dimensionless"
                            : "")
-      << "\n    " << data.rows << " rows, " << data.points.size() << " usable, " << data.excluded.size()
+      << "\n    " << data.rows << " rows, " << usable_rows(data) << " usable, " << data.excluded.size()
       << " excluded\n";
   if (!data.reading.empty()) out << "    read as: " << data.reading << '\n';
   if (!data.taken.empty()) out << joined(data.taken, ", ", "    columns: ") << '\n';
@@ -123,9 +123,18 @@ std::string data_notes(const Dataset& data, Wording words) {
   return text;
 }
 
+std::size_t usable_rows(const Dataset& data) { return data.points.size() + data.pull_off.size(); }
+
 std::string row_counts(const Dataset& data) {
-  return std::to_string(data.rows) + " data rows, " + std::to_string(data.points.size()) + " used, " +
-         std::to_string(data.excluded.size()) + " excluded";
+  return std::to_string(data.rows) + " data rows, " + std::to_string(usable_rows(data)) + " used, " +
+         std::to_string(data.excluded.size()) + " excluded" + runs_of_points(data);
+}
+
+std::string runs_of_points(const Dataset& data) {
+  if (!data.has_loads) return {};
+  if (data.pull_off.empty()) return ", in " + counted(data.curves.size(), "loading run");
+  return ", " + counted(data.pull_off.size(), "pull-off load") +
+         (data.points.empty() ? "" : ", the others in " + counted(data.curves.size(), "loading run"));
 }
 
 std::string first_excluded(const Dataset& data, const std::vector<Excluded>& list, std::string_view beginning,

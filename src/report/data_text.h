@@ -35,6 +35,10 @@ std::string data_notes(const Dataset& data, Wording words);
 
 /// "40 data rows, 38 used, 2 excluded".
 std::string row_counts(const Dataset& data);
+/// Rows that became points or pull-off loads.
+std::size_t usable_rows(const Dataset& data);
+/// ", in 8 loading runs", ", 6 pull-off loads"; empty for data without loads.
+std::string runs_of_points(const Dataset& data);
 
 /// The first 8 excluded points with their reasons, one a line beginning with `beginning`, and the number of the others.
 /// `elsewhere`: where all of them are listed.

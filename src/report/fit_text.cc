@@ -24,9 +24,9 @@ std::string capitals(std::string_view text) {
 
 void write_data(std::ostringstream& out, const Dataset& data, Wording words) {
   out << data_heading(data) << "\n    # provenance   = " << to_string(data.metadata.provenance)
-      << "\n    # data rows    = " << data.rows << ", used " << data.points.size() << ", excluded "
+      << "\n    # data rows    = " << data.rows << ", used " << usable_rows(data) << ", excluded "
       << data.excluded.size();
-  if (data.has_loads) out << ", in " << counted(data.curves.size(), "loading run");
+  out << runs_of_points(data);
   out << '\n';
   if (!data.metadata.source.empty()) out << "    # source       = " << data.metadata.source << '\n';
   std::vector<std::string> constants;
@@ -59,7 +59,9 @@ void write_parameter(std::ostringstream& out, const FittedParameter& parameter, 
 }
 
 std::string fitted_space(const FitResult& fit) {
-  if (fit.objective == Objective::curve) return "distance from the curve, in standard errors";
+  if (fit.objective == Objective::curve)
+    return fit.of_pull_off_alone() && !fit.known_errors ? "distance from the curve, in errors of an assumed size"
+                                                        : "distance from the curve, in standard errors";
   return std::string(fit.scale == Scale::log ? "ln(Gc/GIc)" : "Gc/GIc") + " against psi";
 }
 
@@ -75,13 +77,17 @@ std::string pull_off_line(const FitResult& fit, const Dataset& data) {
     largest = std::abs(r);
     at = i;
   }
-  std::string text = counted(fit.pull_off, "pull-off load") + ": RMS " +
-                     rounded(std::sqrt(squares / static_cast<double>(fit.pull_off)), 3) +
+  const double n = static_cast<double>(fit.pull_off), unit = fit.errors->pull_off * data.display.force_scale;
+  if (fit.of_pull_off_alone() && !fit.known_errors)
+    return counted(fit.pull_off, "pull-off load") + ": no errors are stated; scatter about the curve " +
+           rounded(unit * std::sqrt(squares / std::max(n - 1, 1.0)), 3) + unit_text(data.display.force) +
+           ", the largest distance " + rounded(unit * largest, 3) + unit_text(data.display.force) + " in " +
+           data.line_text(data.pull_off[at].line);
+  std::string text = counted(fit.pull_off, "pull-off load") + ": RMS " + rounded(std::sqrt(squares / n), 3) +
                      " standard errors, the largest in " + data.line_text(data.pull_off[at].line) + " (" +
                      rounded(fit.pull_off_residuals[at], 3) + ")";
   if (without_pull_off_error(data) > 0)
-    text += "; error of the load " + rounded(fit.errors->pull_off * data.display.force_scale, 3) +
-            unit_text(data.display.force) + (fit.used.empty() ? ", assumed" : ", from scatter");
+    text += "; error of the load " + rounded(unit, 3) + unit_text(data.display.force) + ", from scatter";
   return text;
 }
 

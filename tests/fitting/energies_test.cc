@@ -53,6 +53,28 @@ TEST(Energies, OfPearsonAndYorkRunThroughTheWholeFit) {
   EXPECT_NEAR(*one.parameters[0].interval->high, 0.540235934533822, 1e-9 * 0.540);
 }
 
+/// Energies of model c, G_I = 300 - G_II/3, with errors of 6 and 23 in turn above and below the line.
+Dataset uneven(int n, bool stated) {
+  std::string text = stated ? "G_I,G_II,sigma_GI,sigma_GII\n" : "G_I,G_II\n";
+  for (int i = 0; i < n; ++i) {
+    const double x = 20 + 600.0 * i / n, sign_I = i % 2 ? 1 : -1, sign_II = i % 4 < 2 ? 1 : -1;
+    text += shortest(300 - x / 3 + 6 * sign_I) + ',' + shortest(x + 23 * sign_II) + (stated ? ",6,23\n" : "\n");
+  }
+  return load_text(text);
+}
+
+TEST(Energies, WithoutErrorsAreSuspectOnlyWhereTheRatioOfTheErrorsMatters) {
+  FitOptions options{.objective = Objective::curve, .free = {kToughness}};
+  EXPECT_EQ(fit_model(uneven(20, false), "c", options).status, FitStatus::ok);
+  const FitResult many = fit_model(uneven(2000, false), "c", options);
+  EXPECT_EQ(many.status, FitStatus::suspect);
+  EXPECT_NE(many.message.text().find("columns sigma_GI and sigma_GII"), std::string::npos) << many.message.text();
+  // what it asks for mends it
+  const FitResult stated = fit_model(uneven(2000, true), "c", options);
+  EXPECT_EQ(stated.status, FitStatus::ok) << stated.message.text();
+  EXPECT_NEAR(*stated.parameters[0].value, 1.0 / 3, 4 * *stated.parameters[0].stderr_);
+}
+
 std::string exact(const std::string& model, const ParameterValues& p, double toughness, const std::string& series) {
   std::string text;
   for (int i = 0; i < 8; ++i) {

@@ -28,8 +28,7 @@ std::string provenance_banner(const Metadata& metadata) {
 }
 
 std::string source_of_data(const Dataset& data) {
-  const std::string counts =
-      row_counts(data) + (data.has_loads ? ", in " + counted(data.curves.size(), "loading run") : std::string());
+  const std::string counts = row_counts(data);
   std::string text = element("p", counts + ". File: " + text_element("code", data.shown_path()), {{"class", "soft"}});
   if (!data.metadata.source.empty()) text += text_element("p", "Source: " + data.metadata.source, "soft");
   if (!data.metadata.note.empty()) text += text_element("p", data.metadata.note, "soft");
@@ -137,7 +136,8 @@ const Figure* leading_figure(const ReportEntry& entry) {
   return nullptr;
 }
 
-/// Whether a figure is about one model alone, and not about the one that the page begins with: paper has no room for it.
+/// Whether a figure is about one model alone, and not about the one that the page begins with: paper has no room for
+/// it.
 bool of_another_model(const Figure& figure, const ReportEntry& entry) {
   const FitResult* const best = entry.data->answer.fit;
   for (const FitResult& fit : entry.data->result.fits)
