@@ -1,6 +1,7 @@
 // The engine as the Python module mixity._core: arrays in, results as JSON and arrays out. The Python interface is in
 // mixity/*.py.
 #include "base/files.h"
+#include "cli/program.h"
 #include "dataset/table/columns.h"
 #include "python/bindings.h"
 #include "python/keyword_words.h"
@@ -33,5 +34,9 @@ NB_MODULE(_core, m) {
   mixity::bind_fits(m);
   mixity::bind_studies(m);
   mixity::bind_reports(m);
+  m.def("program", [](const std::vector<std::string>& words) {
+    const nb::gil_scoped_release released;
+    return mixity::cli::run_program(words);
+  });
   m.def("version", [] { return MIXITY_VERSION; });
 }

@@ -465,6 +465,18 @@ def test_the_page_is_part_of_the_package(tmp_path):
     assert subprocess.run(words, capture_output=True, text=True, check=False).returncode == 2
 
 
+def test_the_program_is_part_of_the_package(root, program):
+    words = ["fit", "data/mergel2018.csv", "--models=c"]
+    module = subprocess.run([sys.executable, "-m", "mixity", *words], cwd=root, capture_output=True, text=True, check=False)
+    alone = subprocess.run([program, *words], cwd=root, capture_output=True, text=True, check=False)
+    assert (module.stdout, module.stderr, module.returncode) == (alone.stdout, alone.stderr, alone.returncode)
+    wrong = subprocess.run([sys.executable, "-m", "mixity", "fitt"], capture_output=True, text=True, check=False)
+    assert wrong.returncode == 2 and "did you mean fit?" in wrong.stderr
+    # a reader that has read enough ends it without a complaint
+    piped = f"{sys.executable} -m mixity curve --model=c --lambda=0.1 --load=3 --points=1000000 | head -1"
+    assert subprocess.run(piped, shell=True, capture_output=True, text=True, check=True).stderr == ""
+
+
 def test_lmfit_asks_for_the_contact():
     pytest.importorskip("lmfit")
     with pytest.raises(mixity.InputError, match="contact=None if P, T and A are dimensionless"):
