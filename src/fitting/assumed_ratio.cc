@@ -9,7 +9,7 @@
 namespace mixity {
 
 Message ratio_of_errors_matters(const Dataset& data, const FitResult& fit, const FitOfValues& refit) {
-  constexpr double kFactor = 3, kShare = 0.25;  // of the interval, as for other tests
+  constexpr double kFactor = 10, kShare = 0.25;  // of the interval, as for other tests
   const FittedParameter& first = fit.parameters[0];
   if (fit.objective != Objective::curve || !data.has_energies || !data.errors.empty() || !first.stderr_) return {};
   const double half = 1.96 * *first.stderr_, low = first.interval ? first.interval->low.value_or(first.lower) : -half,
@@ -27,7 +27,7 @@ Message ratio_of_errors_matters(const Dataset& data, const FitResult& fit, const
     const double value = *found.parameters[0].value;
     matters = matters || std::abs(value - *first.value) > kShare * (high - low);
     values += (values.empty() ? "" : ", ") + rounded(value, 3) + " if those of G_II are " +
-              (factor < 1 ? "a third of" : "three times") + " those of G_I";
+              (factor < 1 ? "a tenth of" : "ten times") + " those of G_I";
   }
   if (!matters) return {};
   return "no standard errors of G_I and G_II are stated, and equal ones are assumed; " + first.name + " is " + values +
