@@ -20,13 +20,15 @@ std::vector<std::size_t> shown_runs(const Dataset& data) {
   return spread(runs, kMostRuns);
 }
 
-ToughnessRange toughness_range(const Dataset& data) {
+/// `front`: the fit whose toughness the points are drawn with; or null.
+ToughnessRange toughness_range(const Dataset& data, const FitResult* front) {
   ToughnessRange range;
   for (std::size_t i = 0; i < data.points.size(); ++i)
     if (const auto toughness = data.toughness(i)) {
+      const double ratio = toughness->ratio * (front ? over_fitted_toughness(data, *front, data.points[i].curve) : 1);
       range.last_psi = std::max(range.last_psi, toughness->psi());
-      range.largest = std::max(range.largest, toughness->ratio);
-      range.least = std::min(range.least, toughness->ratio);
+      range.largest = std::max(range.largest, ratio);
+      range.least = std::min(range.least, ratio);
     }
   range.last_psi = std::min(1.05 * range.last_psi, 0.5 * pi<double>());
   range.logarithmic = range.largest > 20;
@@ -100,18 +102,26 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size
   return chosen;
 }
 
+double over_fitted_toughness(const Dataset& data, const FitResult& fit, std::size_t run) {
+  if (data.has_loads) return 1;
+  const FittedParameter* found =
+      run < data.curves.size() ? find_parameter(fit.parameters, "toughness(" + data.curves[run] + ")") : nullptr;
+  if (!found) found = find_parameter(fit.parameters, kConstantNames[kToughness]);
+  return found && found->value ? data.display.energy_scale / *found->value : 1;
+}
+
 FiguredModels figured_models(const Analysis& result) {
   const Dataset& data = result.data;
   FiguredModels figured;
   figured.runs = shown_runs(data);
-  figured.toughness = toughness_range(data);
+  const std::vector<const FitResult*> fits = fits_with_values(result.fits);
+  figured.toughness = toughness_range(data, fits.empty() ? nullptr : fits.front());
   if (data.has_loads && !data.curve_loads.empty()) {
     figured.T_data = largest_shear(data);
     for (const double part : {0.25, 0.5, 0.75, 1.0}) figured.shears.push_back(part * figured.T_data);
     const auto [least, most] = std::minmax_element(data.curve_loads.begin(), data.curve_loads.end());
     figured.P_most = *most + 0.1 * (*most - *least) + 1;
   }
-  const std::vector<const FitResult*> fits = fits_with_values(result.fits);
   figured.models.resize(fits.size());
   parallel_for(fits.size(), [&](std::size_t i) { figured.models[i] = curves_of(result, figured, *fits[i]); });
   return figured;

@@ -23,8 +23,14 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
   if (all.empty()) return {};
   const std::vector<std::size_t> shown = shown_points(all);
   Series points{"data", Look::circles, color(7)};
+  const auto& models = reported.figured.models;
+  const FitResult* const fitted = models.empty() ? nullptr : models.front().fit;
+  bool rescaled = false;
   for (const std::size_t i : shown) {
-    const double psi = data.toughness(i)->psi(), ratio = data.toughness(i)->ratio, error = data.errors_of(i).ratio;
+    const double over = fitted ? over_fitted_toughness(data, *fitted, data.points[i].curve) : 1,
+                 psi = data.toughness(i)->psi(), ratio = over * data.toughness(i)->ratio,
+                 error = over * data.errors_of(i).ratio;
+    rescaled |= over != 1;
     points.points.emplace_back(psi, ratio);
     points.hover.push_back(point_hover(data, i));
     if (errors) points.bars.push_back({psi, psi, std::max(ratio - error, 0.5 * range.least), ratio + error});
@@ -57,7 +63,8 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                                    "here: judge by the areas."
                                  : ".") +
                  shown_note(shown.size(), all.size()) +
-                 (result.request.options.free.empty()
+                 (rescaled ? " Points are over the toughness that model " + fitted->model + " found."
+                  : result.request.options.free.empty()
                       ? ""
                       : " Points are computed with the stated constants, not with those that were fitted.")};
   figure.series.insert(figure.series.end(), lines.begin(), lines.end());
