@@ -41,11 +41,6 @@ class Dataset:
 
     Parameters
     ----------
-    P, T, A : array_like, shape (n,)
-        Normal load, tangential load, contact area; or other columns of the program by their names: ``a`` (radius),
-        ``a_par`` and ``a_perp``, ``psi`` with ``Gc`` or ``Gc_over_GIc``, ``G_I`` with ``G_II``, and standard errors
-        ``sigma_T``, ``sigma_A``, ... With ``control="approach"``, ``delta`` in place of P or beside it. Values that are not finite, and areas <= 0, are left out and listed in
-        ``excluded``.
     runs : array_like of str or int, shape (n,), optional
         The loading run of each point; without a name (None, NaN), points of one load form a run.
     units : dict, "SI" or None
@@ -53,8 +48,13 @@ class Dataset:
         as in the paper (loads in R G_Ic, areas in (R/xi)^2).
     name : str
         Shown in texts and messages.
-    **constants
-        ``radius``, ``modulus`` (plane strain) or ``youngs_modulus`` and ``poisson_ratio``, ``toughness``, and the
+    **given
+        Columns, each array_like of shape (n,): ``P``, ``T`` and ``A`` (normal load, tangential load, contact area); or others
+        of the program by their names: ``a`` (radius), ``a_par`` and ``a_perp``, ``psi`` with ``Gc`` or ``Gc_over_GIc``,
+        ``G_I`` with ``G_II``, and standard errors ``sigma_T``, ``sigma_A``, ... With ``control="approach"``, ``delta`` in
+        place of P or beside it. Values that are not finite, and areas <= 0, are left out and listed in ``excluded``.
+
+        Constants: ``radius``, ``modulus`` (plane strain) or ``youngs_modulus`` and ``poisson_ratio``, ``toughness``, and the
         others of the program's TOML: texts with units and errors, floats in SI, pairs (value, standard error), or quantities
         of pint, astropy, unyt or quantities, as may the columns be; they are converted to SI. ``mode_III="averaged"`` is the convention of Johnson and of Waters & Guduru. ``definition``, a TOML as :func:`check` saves it, has those that are not given.
 
@@ -133,8 +133,10 @@ class Dataset:
 
     @property
     def inputs(self) -> list[tuple[str, int, str]]:
-        """[(path, bytes, xxh128)] of the files that were read, hashed as by ``xxh128sum``; of .mat, HDF5 and .tdms those of
-        the table that was made of it. Empty for arrays."""
+        """The files that were read, as [(path, bytes, xxh128)].
+
+        Hashed as by ``xxh128sum``; of .mat, HDF5 and .tdms the table that was made of it. Empty for arrays.
+        """
         return self._core.inputs
 
     @property
@@ -144,25 +146,29 @@ class Dataset:
 
     @property
     def excluded(self) -> list[tuple[int, str]]:
-        """[(line, reason)] of rows that were left out."""
+        """Rows that were left out, as [(line, reason)]."""
         return self._core.excluded
 
     @property
     def units(self) -> dict[str, str]:
-        """Units of loads and areas as shown and returned: {"force": "mN", "area": "mm^2"}; empty if dimensionless.
-        With control="approach" also that of the approach: {"approach": "um"}."""
+        """Units of loads and areas as shown and returned: {"force": "mN", "area": "mm^2"}; empty texts if dimensionless.
+
+        With control="approach" also that of the approach: {"approach": "um"}.
+        """
         units = {"force": self._core.force_unit_text, "area": self._core.area_unit_text}
         return units | {"approach": self._core.approach_unit_text} if self._core.holds_approach else units
 
     @property
     def P(self) -> FloatArray:
-        """Normal loads of the points, shape (n,), in units["force"]; of a held approach those that were measured beside it,
-        or nan."""
+        """Normal loads of the points, shape (n,), in units["force"].
+
+        Of a held approach those that were measured beside it, or NaN.
+        """
         return self._core.column("P") * self._core.force_scale
 
     @property
     def delta(self) -> FloatArray:
-        """The approach that is held (control="approach"), in the unit of the file; nan where a load is held."""
+        """The approach that is held (control="approach"), shape (n,), in the unit of the file; NaN where a load is held."""
         return self._core.column("delta") * self._core.approach_scale
 
     @property
@@ -177,8 +183,10 @@ class Dataset:
 
     @property
     def psi(self) -> FloatArray:
-        """Phase angles [rad] of readings corrected by stated offsets and area_scale, shape (n,); NaN where the area does
-        not exceed that of Hertz."""
+        """Phase angles [rad] of readings corrected by stated offsets and area_scale, shape (n,).
+
+        NaN where the area does not exceed that of Hertz.
+        """
         return self._core.column("psi")
 
     @property
@@ -244,9 +252,19 @@ def read(path: str | os.PathLike[str] | Iterable[str | os.PathLike[str]], **cons
         such as P, T, A, or ``columns={"P": "group/channel (mN)", ...}``. Their units are the attributes ``units`` or
         ``unit``, in .tdms ``unit_string`` or ``NI_UnitDescription``.
     **constants
-        Replace those in the TOML: as for :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``sheet``, ``table``,
+        Replace those in the TOML: the constants of :class:`Dataset`, and how to read the file (``columns``, ``decimal``, ``sheet``, ``table``,
         ``rate``, ``fps``, ``pixel``, ``load``, ``load_from``, ``headings``). ``definition`` is a TOML of such
         constants, as :func:`check` saves it, for all that is stated nowhere else.
+
+    Returns
+    -------
+    Dataset
+        With the units of the file.
+
+    Raises
+    ------
+    InputError
+        With the program's message: file, line, column and remedy.
     """
     files, stated = files_and_constants(path, constants)
     data = Dataset._of(_core.read(files, stated, None, tables(files, stated)), ("file", (files, stated)))

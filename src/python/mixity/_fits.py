@@ -38,8 +38,29 @@ class _Described:
 
 
 class Parameter(_Described):
-    """A parameter of a fit: ``value``, ``stderr``, ``interval`` (low, high), ``unit``, ``lower``, ``upper``, ``at_bound``, ``held``,
-    ``bootstrap``, ``prior``, and, for one parameter, ``budget``. None where a number is not known."""
+    """A parameter of a fit; None where a number is not known.
+
+    Attributes
+    ----------
+    name : str
+        As in ``fit.params``.
+    value : float
+        The estimate, in ``unit``.
+    stderr : float or None
+        Its standard error.
+    interval : (low, high) or None
+        The 95 % interval of the profile likelihood; an end that is not found is None.
+    unit : str
+        Empty if dimensionless.
+    lower, upper : float
+        The bounds of the fit.
+    at_bound, held : bool
+        Whether the estimate lies at one of them, and whether it was held.
+    bootstrap, prior : dict or None
+        As in the program's JSON.
+    budget : dict or None
+        Shares of the variance, for the parameter that has them.
+    """
 
     name: str
     value: float
@@ -67,7 +88,23 @@ class Parameter(_Described):
 
 
 class Fit(_Described):
-    """One model's fit: ``status`` ("ok", "suspect", "at_bound", ...), ``message``, ``params``, and every field of the program's JSON."""
+    """One model's fit: an item of :class:`Fits`. Every field of the program's JSON is an attribute, these among them.
+
+    Attributes
+    ----------
+    model : str
+        The model's key.
+    status, message : str
+        "ok", "suspect", "at_bound", ..., and the sentence that says why.
+    params : dict of Parameter
+        By name.
+    used : int
+        Number of points used; ``excluded`` lists the others with their reasons.
+    r2, rmse : float or None
+        Coefficient of determination, and root mean square of the residuals.
+    budget : dict or None
+        Shares of the variance of a parameter: scatter, and each constant.
+    """
 
     params: dict[str, Parameter]
     model: str
@@ -131,13 +168,15 @@ class Fit(_Described):
         P, T : array_like
             In ``data.units["force"]``; broadcast. Where the approach is held, P is that, in ``data.units["approach"]``.
         confidence : float
+            Between 0 and 1.
 
         Returns
         -------
-        A, low, high : ndarray
-            In ``data.units["area"]``. NaN beyond the last equilibrium; low and high NaN where a parameter has no
-            standard error. The band is that of the curve (delta method on the fit's covariance, constants of the
-            experiment among them), without the scatter of a new measurement.
+        A : ndarray
+            In ``data.units["area"]``. NaN beyond the last equilibrium.
+        low, high : ndarray
+            The band, likewise; NaN where a parameter has no standard error. It is that of the curve (delta method on the
+            fit's covariance, constants of the experiment among them), without the scatter of a new measurement.
         """
         if not 0 < confidence < 1:
             raise _core.InputError(f"confidence is {confidence}; it must lie between 0 and 1")
@@ -158,8 +197,10 @@ class Fit(_Described):
 
         Returns
         -------
-        (a, low, high), (b, low, high) : ndarray
-            Along and across the shear, in the length whose square is ``data.units["area"]``. NaN as in :meth:`area`.
+        along : tuple of ndarray
+            (a, low, high): along the shear, in the length whose square is ``data.units["area"]``. NaN as in :meth:`area`.
+        across : tuple of ndarray
+            (b, low, high): across the shear, likewise.
 
         Raises
         ------
@@ -187,14 +228,22 @@ class Fit(_Described):
         return array / (core.held_unit if held else core.force_unit)
 
     def folds(self, P: ArrayLike, control: str = "load", stiffness: float = 0.0) -> list[dict[str, Any]]:
-        """The folds of the fitted contact at load P (in ``data.units["force"]``), as they would be measured.
+        """The folds of the fitted contact at one load, as they would be measured.
+
+        Parameters
+        ----------
+        P : float
+            In ``data.units["force"]``.
+        control : {"load", "displacement", "stiffness"}
+            The controlled quantity, as for :func:`mixity.folds`.
+        stiffness : float
+            Of the spring of control "stiffness": in N/m, of dimensionless data k/(xi^2 G_Ic).
 
         Returns
         -------
         list of dict
             As from :func:`mixity.folds`, in the units of the data, u in m; with T_stderr, u_stderr and A_stderr from the
-            covariance of the fit, constants of the experiment among them (None where they are not known). ``stiffness`` of
-            control "stiffness" is in N/m, of dimensionless data k/(xi^2 G_Ic).
+            covariance of the fit, constants of the experiment among them (None where they are not known).
         """
         core = self.data._core
         found = self._fits._results.folds(self._index, float(self._load("P", P)), control, stiffness / core.stiffness_unit)
@@ -206,7 +255,13 @@ class Fit(_Described):
         ]
 
     def to_dict(self) -> dict[str, Any]:
-        """This fit's part of the program's JSON."""
+        """This fit's part of the program's JSON.
+
+        Returns
+        -------
+        dict
+            A copy.
+        """
         return copy.deepcopy(self._fields)
 
     def __repr__(self) -> str:
@@ -236,11 +291,23 @@ class Fits:
         return self._read
 
     def to_dict(self) -> dict[str, Any]:
-        """The program's JSON (schema mixity-fit-1) of this data set and its fits."""
+        """The program's JSON (schema mixity-fit-1) of this data set and its fits.
+
+        Returns
+        -------
+        dict
+            A copy.
+        """
         return copy.deepcopy(self._document)
 
     def keys(self) -> list[str]:
-        """Keys of the models, in the order of the request."""
+        """Keys of the models, in the order of the request.
+
+        Returns
+        -------
+        list of str
+            Such as ["a", "b", "c"].
+        """
         return self._results.models()
 
     def __len__(self) -> int:
@@ -260,11 +327,23 @@ class Fits:
         return self._made[key]
 
     def values(self) -> list[Fit]:
-        """The fits, in the same order."""
+        """The fits, in the same order.
+
+        Returns
+        -------
+        list of Fit
+            One per model.
+        """
         return [self[key] for key in self]
 
     def items(self) -> list[tuple[str, Fit]]:
-        """Pairs of key and fit, in the same order."""
+        """Pairs of key and fit, in the same order.
+
+        Returns
+        -------
+        list of (str, Fit)
+            One per model.
+        """
         return [(key, self[key]) for key in self]
 
     @property

@@ -49,6 +49,7 @@ def fit(
     Parameters
     ----------
     data : Dataset
+        The points, and the constants of the experiment.
     models : str, Law, or list of them
         "c", "abc", ["a", "bk"], ["c", "power", mixity.Law(...)].
     objective : {"curve", "toughness"}, optional

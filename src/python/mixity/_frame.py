@@ -52,6 +52,7 @@ def from_frame(
     Parameters
     ----------
     frame : DataFrame or another object with named columns
+        Of numbers or quantities.
     columns : dict, optional
         Columns of the quantities: ``{"P": "Normal force [mN]", "T": "Friction", "A": "Area"}``. By default the columns whose headings the
         program knows in a file, such as "T [mN]" or "Normal force (mN)".
@@ -59,8 +60,15 @@ def from_frame(
         The column that names runs, or the names. By default a column ``curve``, if there is one.
     units : dict, "SI" or None
         As for :class:`Dataset`, for columns without a unit in the heading; a different unit there is an error.
-    name, **constants
-        As for :class:`Dataset`.
+    name : str
+        Shown in texts and messages.
+    **constants
+        Those of :class:`Dataset`.
+
+    Returns
+    -------
+    Dataset
+        With copies of the columns.
 
     Raises
     ------

@@ -21,12 +21,12 @@ class Law:
     Parameters
     ----------
     f : str or callable
-        f = G_c/G_Ic, of psi, B = sin^2 psi, t = tan psi and the parameters: "1 + p*tan(psi)^n". Or a criterion of
+        Formula of f = G_c/G_Ic, of psi, B = sin^2 psi, t = tan psi and the parameters: "1 + p*tan(psi)^n". Or a criterion of
         fracture, an equation in K_I and K_II in units of the toughness: "(K_I^2)^m + (K_II^2/r)^n = 1". Or a function
         f(psi, p=..., n=...) of an array of phase angles [rad], 0 <= psi < pi/2, and of the parameters as floats, by
         their names, that returns f of each angle and depends on nothing else.
     key : str, optional
-        The key for models=...; by default law_ and a hash of the definition, the same in every process.
+        The key for models=...; by default ``law_`` and a hash of the definition, the same in every process.
     name : str, optional
         Shown beside the key.
     normalised : bool

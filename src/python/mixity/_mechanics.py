@@ -23,7 +23,13 @@ STATUS = ("ok", "no_equilibrium", "invalid")
 
 
 def models() -> dict[str, list[str]]:
-    """{key: names of its parameters} of all models."""
+    """Keys of all models, and the names of their parameters.
+
+    Returns
+    -------
+    dict
+        {key: list of names}.
+    """
     return {key: _core.parameter_names(key) for key in _core.model_keys()}
 
 
@@ -49,8 +55,8 @@ def area(
 
     Parameters
     ----------
-    model : str
-        "a", "b", "c" or "bk".
+    model : str or Law
+        A key of :func:`models`, such as "a", "b", "c" or "bk".
     lam : array_like, or tuple of array_like
         The model's parameter; for several a tuple, in the order of :func:`models`.
     P, T : array_like
@@ -90,9 +96,24 @@ def area(
 
 
 def toughness(model: str | Law, lam: Parameters, psi: ArrayLike, *, out: FloatArray | None = None) -> FloatArray:
-    """f = G_c/G_Ic at phase angles psi [rad]. ``out`` as for :func:`area`.
+    """Ratio of toughnesses f = G_c/G_Ic at phase angles.
 
-    NaN where psi is not within 0..pi/2, for ``lam`` out of range, and where an argument is NaN.
+    Parameters
+    ----------
+    model, lam, out
+        As for :func:`area`.
+    psi : array_like
+        Phase angles [rad], broadcast against ``lam``.
+
+    Returns
+    -------
+    ndarray
+        The ratio f, of the broadcast shape. NaN where psi is not within 0..pi/2, for ``lam`` out of range, and where an argument is NaN.
+
+    Raises
+    ------
+    InputError
+        For an unknown model, or another number of parameters than it has.
     """
     return evaluate(_core.toughness_ratios, model, lam, (np.asarray(psi, dtype=np.float64),), 1.0, out)[0]
 
@@ -100,10 +121,20 @@ def toughness(model: str | Law, lam: Parameters, psi: ArrayLike, *, out: FloatAr
 def tangential_load(
     model: str | Law, lam: Parameters, P: ArrayLike, A: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None
 ) -> FloatArray:
-    """T >= 0 at which a contact of load P has the area A in equilibrium, stable or not.
+    """Tangential load at which a contact has a given area in equilibrium, stable or not.
 
-    Units and ``out`` as for :func:`area`. NaN where there is no such T: an area above that of JKR, or not above that of
-    Hertz, ``lam`` out of range, and where an argument is NaN.
+    Parameters
+    ----------
+    model, lam, P, contact, out
+        As for :func:`area`.
+    A : array_like
+        Contact area, broadcast against P and ``lam``; in m^2 with ``contact``.
+
+    Returns
+    -------
+    ndarray
+        T >= 0. NaN where there is no such T: an area above that of JKR, or not above that of Hertz, ``lam`` out of range,
+        and where an argument is NaN.
     """
     units = Units(contact)
     arrays = units.without("P", P), units.without("A", A)
@@ -117,17 +148,19 @@ def axes(
 
     Parameters
     ----------
-    model : str
+    model : str or Law
         Of elliptic contacts: "a-ellipse", "b-ellipse", "c-ellipse", "bk-ellipse". A circle has two equal axes.
     lam : tuple of array_like
-        (lambda_II, lambda_III, poisson_ratio), in the order of :func:`models`.
+        (lambda_II, lambda_III, poisson_ratio).
     P, T, contact
         As for :func:`area`. With ``contact`` the axes are in m.
 
     Returns
     -------
-    a, b : ndarray
-        Relative error below 1e-13 away from a fold; NaN beyond the last equilibrium. ``area`` is pi a b.
+    a : ndarray
+        Along the shear. Relative error below 1e-13 away from a fold; NaN beyond the last equilibrium.
+    b : ndarray
+        Across the shear, likewise. ``area`` is pi a b.
 
     Examples
     --------
@@ -161,9 +194,19 @@ def displacement(
     model: str | Law, lam: Parameters, P: ArrayLike, T: ArrayLike, *, contact: Contact = None, out: FloatArray | None = None,
     return_status: bool = False,
 ) -> Any:
-    """Tangential displacement u = 3 T/(4 a) of an incompressible half-space (nu = 1/2), dimensionless or [m].
+    """Tangential displacement u = 3 T/(4 a) of an incompressible half-space (nu = 1/2).
 
-    Arguments, ``out`` and status as for :func:`area`. NaN where the area is: exactly where the status is not "ok".
+    Parameters
+    ----------
+    model, lam, P, T, contact, out, return_status
+        As for :func:`area`.
+
+    Returns
+    -------
+    u : ndarray
+        In m with ``contact``, else dimensionless. NaN where the area is: exactly where the status is not "ok".
+    status : ndarray of uint8
+        With ``return_status``.
     """
     units = Units(contact)
     T = units.without("T", T)
@@ -182,10 +225,29 @@ def phase_angle(
     contact: Contact = None,
     out: tuple[FloatArray | None, FloatArray | None] = (None, None),
 ) -> tuple[FloatArray, FloatArray]:
-    """(psi [rad], G_c/G_Ic) from a measured area.
+    """Phase angle and ratio of toughnesses from a measured area.
 
-    Units as for :func:`area`; ``out`` is a pair of arrays. Both are NaN where the area does not exceed that of Hertz, so
-    that there is no phase angle, and where an argument is NaN.
+    Parameters
+    ----------
+    P, T, A : array_like
+        Loads and area, broadcast against each other; in N and m^2 with ``contact``, else dimensionless.
+    contact : (radius [m], modulus [Pa], toughness [J/m^2]), optional
+        As for :func:`area`.
+    out : pair of ndarray of float64, optional
+        Arrays to write psi and f to; they must not overlap.
+
+    Returns
+    -------
+    psi : ndarray
+        Phase angles [rad]. NaN where the area does not exceed that of Hertz, so that there is no phase angle, and where
+        an argument is NaN.
+    f : ndarray
+        G_c/G_Ic; NaN where psi is.
+
+    Raises
+    ------
+    ValueError
+        If the arrays of ``out`` overlap or have another shape.
     """
     units = Units(contact)
     if not isinstance(out, (tuple, list)) or len(out) != 2:
@@ -212,9 +274,14 @@ def folds(
 
     Parameters
     ----------
+    model, lam, contact
+        As for :func:`area`; the parameters are single numbers.
     P : float
+        Normal load, in N with ``contact``.
     control : {"load", "displacement", "stiffness"}
-        The controlled quantity; "stiffness": a spring of ``stiffness`` (dimensionless, k/(xi^2 G_Ic)) in series.
+        The controlled quantity; "stiffness": a spring in series.
+    stiffness : float
+        Of that spring: dimensionless, k/(xi^2 G_Ic).
 
     Returns
     -------
@@ -230,11 +297,21 @@ def folds(
 def regime(
     model: str | Law, lam: Parameters, P: float, *, shear_strength: float | None = None, contact: Contact = None
 ) -> dict[str, Any]:
-    """The regime of the contact when it is sheared: 1 shrinks to an asymptote, 2 to Hertz, 3 jumps, 4 slides first.
+    """The regime of the contact when it is sheared.
 
-    ``shear_strength`` is tau_0 of T = tau_0 A. Returns a dict: regime, fracture (the regime for unlimited strength),
-    regime_name and fracture_name (the same as words: shrinks, reaches_hertz, jumps, slides_first), T_end, T_strength,
-    jumps_to.
+    Parameters
+    ----------
+    model, lam, P, contact
+        As for :func:`folds`.
+    shear_strength : float, optional
+        Strength tau_0 of T = tau_0 A, in Pa with ``contact``; unlimited by default.
+
+    Returns
+    -------
+    dict
+        ``regime``: 1 shrinks to an asymptote, 2 shrinks to Hertz, 3 jumps, 4 slides first. ``fracture``: the regime for
+        unlimited strength. ``regime_name`` and ``fracture_name``: the same as words (shrinks, reaches_hertz, jumps,
+        slides_first). ``T_end``, ``T_strength`` (None without ``shear_strength``), ``jumps_to``.
     """
     units = Units(contact)
     tau0 = None if shear_strength is None else float(shear_strength) / units.stress
@@ -248,9 +325,20 @@ def regime(
 def curve(
     model: str | Law, lam: Parameters, P: float, *, points: int = 400, contact: Contact = None
 ) -> dict[str, NDArray[Any]]:
-    """The whole equilibrium curve at load P, through every fold.
+    """The whole equilibrium curve at one load, through every fold.
 
-    Returns a dict of arrays of at least 2 ``points``: phi, T, A, a, u, psi, f, and stable (under load control).
+    Parameters
+    ----------
+    model, lam, P, contact
+        As for :func:`folds`.
+    points : int
+        Number of points; fewer than 2 are taken as 2.
+
+    Returns
+    -------
+    dict of ndarray
+        ``phi``, ``T``, ``A``, ``a``, ``u``, ``psi`` [rad], ``f``, ``y``, each of shape (points,), and ``stable`` (bool, under
+        load control).
     """
     units = Units(contact)
     found = _core.curve(key_of(model), numbers(lam), float(P) / units.force, int(points))

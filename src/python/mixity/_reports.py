@@ -24,6 +24,7 @@ def check(
     Parameters
     ----------
     data : Dataset, path, or list of paths
+        As for :func:`read`.
     save : path, optional
         A TOML to be written: columns, rate, table and constants as they were understood, for other files of this kind
         (``read(..., definition=save)``). Constants that are missing do not matter.
@@ -31,6 +32,18 @@ def check(
         Also replace a file that mixity did not write, or that was edited since.
     **constants
         As for :func:`read`. Missing constants are named at the end of the text.
+
+    Returns
+    -------
+    str
+        Lines to print.
+
+    Raises
+    ------
+    InputError
+        If the data cannot be read.
+    OSError
+        If ``save`` names a file that mixity did not write, or that was edited since, without ``force``.
     """
     where = None if save is None else os.fspath(save)
     if isinstance(data, Dataset):

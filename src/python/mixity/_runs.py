@@ -33,9 +33,12 @@ class Runs:
 
     @property
     def runs(self) -> list[dict[str, Any]]:
-        """One dict per run: ``name``; ``P`` [N], the mean of its readings, and ``P_scatter``; ``T_zero`` [N], which was
+        """The runs, one dict each.
+
+        ``name``; ``P`` [N], the mean of its readings, and ``P_scatter``; ``T_zero`` [N], which was
         subtracted from T, and ``T_noise`` of a frame; the kept ``frames``; ``shear`` and ``sliding`` (None where it is
-        not seen): dicts of ``time`` [s], its 95 % interval ``low`` .. ``high``, and whether it was ``stated``."""
+        not seen): dicts of ``time`` [s], its 95 % interval ``low`` .. ``high``, and whether it was ``stated``.
+        """
         return self._log.runs()
 
     @property
@@ -49,14 +52,28 @@ class Runs:
         return _rows(self._log.phases())
 
     def save(self, folder: str | os.PathLike[str], *, formats: str | Sequence[str] = "", force: bool = False) -> None:
-        """Writes points, peaks, phases, cuts, figures and the definition of a fit, as ``mixity runs --out``. ``formats`` and
-        ``force`` as for :func:`report`."""
+        """Writes points, peaks, phases, cuts, figures and the definition of a fit, as ``mixity runs --out``.
+
+        Parameters
+        ----------
+        folder : path
+            Is made if it is missing.
+        formats, force
+            As for :func:`report`.
+        """
         asked = formats if isinstance(formats, str) else ",".join(formats)
         warn(self._log.save(os.fspath(folder), asked, force, self._paths))
 
     def save_definition(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
-        """Writes a TOML of the columns, rate and constants as they were understood, for other logs of this kind
-        (``runs(..., definition=path)``). ``force`` as for :func:`report`."""
+        """Writes a TOML for other logs of this kind: ``runs(..., definition=path)``.
+
+        Parameters
+        ----------
+        path : path
+            The file for the columns, rate and constants as they were understood.
+        force : bool
+            As for :func:`report`.
+        """
         self._log.save_definition(os.fspath(path), force, self._paths)
 
     def __len__(self) -> int:
@@ -107,6 +124,11 @@ def runs(
         A TOML of cuts, such as the cuts.toml of :meth:`Runs.save`.
     **constants
         As for :func:`read`.
+
+    Returns
+    -------
+    Runs
+        What was found, and the data set of it.
 
     Raises
     ------

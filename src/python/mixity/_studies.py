@@ -25,7 +25,8 @@ class Plan:
 
     Parameters
     ----------
-    model : str
+    model : str or Law
+        The law that is expected to hold.
     lam : float or tuple
         The guess; a tuple for a model with several parameters.
     loads : sequence of float, or str
@@ -37,7 +38,7 @@ class Plan:
     sigma_T, sigma_A : str or float
         Standard errors: "1%" of each value, or a quantity ("0.2 mN", "0.002 mm^2", floats in SI, quantities).
     **constants
-        As for :class:`mixity.Dataset`; those with an error are nuisance parameters with a prior.
+        Those of :class:`mixity.Dataset`; those with an error are nuisance parameters with a prior.
 
     Examples
     --------
@@ -76,19 +77,55 @@ class Plan:
         return self._core.loads
 
     def with_loads(self, loads: Any) -> Plan:
-        """The same plan at other loads [N]."""
+        """The same plan at other loads.
+
+        Parameters
+        ----------
+        loads : sequence of float, or str
+            As for the plan, in N.
+
+        Returns
+        -------
+        Plan
+            A new one.
+        """
         given = list(self._given)
         given[3] = load_list("loads", loads)
         return _plan_again(tuple(given))
 
     def simulate(self, seed: int = 1, index: int | None = 0) -> Dataset:
-        """Experiment ``index`` of the stream ``seed`` as a data set, the same on every machine."""
+        """One simulated experiment as a data set, the same on every machine.
+
+        Parameters
+        ----------
+        seed : int
+            The stream of random numbers.
+        index : int or None
+            The experiment of that stream; None: readings and constants without errors.
+
+        Returns
+        -------
+        Dataset
+            Ready to fit.
+        """
         seed, index = whole_number("seed", seed), None if index is None else whole_number("index", index)
         return Dataset._of(self._core.simulate(seed, index), ("simulated", (self, seed, index)))
 
     def expect(self, rivals: Models = "abc") -> dict[str, Any]:
-        """The expected results of the plan: {"standard_error": of lambda, "chi2": {rival: T-criterion}}.
+        """The expected results of the plan.
 
+        Parameters
+        ----------
+        rivals : str, Law, or list of them
+            The models to tell apart, as in :func:`fit`.
+
+        Returns
+        -------
+        dict
+            {"standard_error": of lambda, or None, "chi2": {rival: T-criterion}}.
+
+        Notes
+        -----
         The error is that of the Fisher information with the constants as nuisance parameters (Ds-optimality, Silvey
         1980); chi2/2 is the expected logarithm of the odds against a rival (Atkinson & Fedorov 1975).
         """
@@ -97,14 +134,51 @@ class Plan:
     def next_loads(
         self, least: Any, most: Any, candidates: int = 21, rivals: Models = "abc"
     ) -> list[tuple[float, dict[str, Any]]]:
-        """[(load [N], expectation of the plan with it)] for one more run between two loads [N]."""
+        """What one more run would bring, at several loads.
+
+        Parameters
+        ----------
+        least, most : float or str
+            The range of loads, in N or with a unit.
+        candidates : int
+            Number of loads, at least 2.
+        rivals : str, Law, or list of them
+            As for :meth:`expect`.
+
+        Returns
+        -------
+        list of (float, dict)
+            Load [N], and what :meth:`expect` returns for the plan with a run at it.
+        """
         least, most = load_number("least", least), load_number("most", most)
         return self._core.next_loads(least, most, whole_number("candidates", candidates, 2), _keys(rivals))
 
     plot_loads = plots.loads
 
     def best(self, least: Any, most: Any, runs: int, goal: str = "error", rivals: Models = "abc") -> Plan:
-        """The plan with this many more runs at the best loads, for the goal "error" of lambda or "model"."""
+        """The plan with more runs, at the best loads.
+
+        Parameters
+        ----------
+        least, most : float or str
+            The range of loads, in N or with a unit.
+        runs : int
+            Number of runs to add.
+        goal : {"error", "model"}
+            The smallest error of lambda, or the greatest odds against the nearest rival.
+        rivals : str, Law, or list of them
+            As for :meth:`expect`.
+
+        Returns
+        -------
+        Plan
+            A new one.
+
+        Raises
+        ------
+        ValueError
+            For another goal.
+        """
         if goal not in ("error", "model"):
             raise ValueError("goal must be 'error' or 'model'")
         least, most = load_number("least", least), load_number("most", most)
@@ -113,8 +187,25 @@ class Plan:
     def experiments(
         self, count: int, seed: int = 1, rivals: Models = "", progress: Callable[[float], Any] | None = None
     ) -> dict[str, Any]:
-        """Simulates and fits this many experiments: mean and spread of lambda, the mean standard error, the share of 95 %
-        intervals that contain the true value, and with rivals the share of experiments that find the right model."""
+        """Simulates and fits experiments of the plan.
+
+        Parameters
+        ----------
+        count : int
+            Number of experiments, at least 2.
+        seed : int
+            The stream of random numbers.
+        rivals : str, Law, or list of them
+            Models that are fitted, too.
+        progress : callable, optional
+            Called with the fraction done, 0..1.
+
+        Returns
+        -------
+        dict
+            Mean and spread of lambda, the mean standard error, the share of 95 % intervals that contain the true value,
+            and with rivals the share of experiments that find the right model.
+        """
         count = whole_number("count", count, 2)  # a spread needs two
         return self._core.experiments(whole_number("seed", seed), count, _keys(rivals), progress or None)
 
@@ -128,14 +219,40 @@ def _plan_again(given: tuple[Any, ...], laws: Sequence[Any] = ()) -> Plan:
 
 
 def simulate(plan: Plan, seed: int = 1, index: int | None = 0) -> Dataset:
-    """Experiment ``index`` of the stream ``seed`` of a plan: see :meth:`Plan.simulate`."""
+    """One simulated experiment of a plan.
+
+    Parameters
+    ----------
+    plan : Plan
+        The experiment.
+    seed, index
+        As for :meth:`Plan.simulate`.
+
+    Returns
+    -------
+    Dataset
+        Ready to fit.
+    """
     return plan.simulate(seed, index)
 
 
 def design(
     plan: Plan, least: Any, most: Any, runs: int = 1, goal: str = "error", rivals: Models = "abc"
 ) -> Plan:
-    """The best loads for more runs of a plan: see :meth:`Plan.best`."""
+    """A plan with more runs, at the best loads.
+
+    Parameters
+    ----------
+    plan : Plan
+        The experiment so far.
+    least, most, runs, goal, rivals
+        As for :meth:`Plan.best`.
+
+    Returns
+    -------
+    Plan
+        A new one.
+    """
     return plan.best(least, most, runs, goal, rivals)
 
 
@@ -151,11 +268,18 @@ def campaign(function: Callable[[int], Any], count: int, executor: Any = None, c
     function : callable
         A pure function, which depends on its argument alone, such as ``functools.partial(task, plan, seed)``. For
         executors of other processes it must pickle, and so must its results.
+    count : int
+        Number of calls.
     executor : optional
         None: one after the other, in this process. Else anything with ``submit``: an executor of ``concurrent.futures``, or
         a ``distributed.Client`` (which repeats the work of a worker that dies on another).
     chunk : int, optional
         Number of calls in one task; by default such that there are about sixty tasks.
+
+    Returns
+    -------
+    list
+        The results.
 
     Examples
     --------

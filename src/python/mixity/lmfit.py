@@ -63,16 +63,21 @@ def model(key: str | Law, *, contact: Any = _NOT_SAID) -> lmfit.Model:
         P, T in N and A in m^2; None: dimensionless, as the models are. It must be given: data in N that are taken for
         dimensionless loads fit without a complaint.
 
-    Notes
-    -----
-    lmfit's default method, leastsq, uses the engine's derivatives. Beyond the last equilibrium the area at it is returned, so
-    that a minimiser sees no NaN. For intervals that include the uncertainty of the constants, and for a status, use
-    :func:`mixity.fit`: lmfit's ``conf_interval`` needs at least two parameters that vary.
+    Returns
+    -------
+    lmfit.Model
+        Named "mixity c", with hints for start and bounds; lambda is called ``lambda_``.
 
     Raises
     ------
     InputError
         Without ``contact``, for an unknown model, and for constants that are not above 0.
+
+    Notes
+    -----
+    lmfit's default method, leastsq, uses the engine's derivatives. Beyond the last equilibrium the area at it is returned, so
+    that a minimiser sees no NaN. For intervals that include the uncertainty of the constants, and for a status, use
+    :func:`mixity.fit`: lmfit's ``conf_interval`` needs at least two parameters that vary.
 
     Examples
     --------

@@ -70,12 +70,14 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     fit : Fit
+        The fit that is drawn.
     ax : matplotlib Axes, optional
         New axes by default.
 
     Returns
     -------
     matplotlib Axes
+        ``ax``, or the new axes.
 
     Raises
     ------
@@ -106,7 +108,15 @@ def area(fit: Any, ax: Axes | None = None) -> Axes:
 def toughness(fit: Any, ax: Axes | None = None) -> Axes:
     """Draws G_c/G_Ic against psi [deg]: points, the model, and the band of its first parameter's interval.
 
-    Arguments and return value as for :func:`area`.
+    Parameters
+    ----------
+    fit, ax
+        As for :func:`area`.
+
+    Returns
+    -------
+    matplotlib Axes
+        ``ax``, or the new axes.
     """
     ax = _axes(ax)
     data = fit.data
@@ -126,7 +136,15 @@ def toughness(fit: Any, ax: Axes | None = None) -> Axes:
 def residuals(fit: Any, ax: Axes | None = None) -> Axes:
     """Draws the residuals against T, or against psi [deg] if the data have no loads.
 
-    Arguments and return value as for :func:`area`.
+    Parameters
+    ----------
+    fit, ax
+        As for :func:`area`.
+
+    Returns
+    -------
+    matplotlib Axes
+        ``ax``, or the new axes.
     """
     ax = _axes(ax)
     data = fit.data
@@ -142,8 +160,22 @@ def residuals(fit: Any, ax: Axes | None = None) -> Axes:
 def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> Axes:
     """Draws the profile likelihood of a parameter: the rise of the cost when it is held, and the limit of the interval.
 
-    ``parameter`` is the model's first by default; the rest as for :func:`area`. Raises InputError if there is no such
-    parameter, or if it is held, at a bound or not identifiable.
+    Parameters
+    ----------
+    fit, ax
+        As for :func:`area`.
+    parameter : str, optional
+        The model's first by default.
+
+    Returns
+    -------
+    matplotlib Axes
+        ``ax``, or the new axes.
+
+    Raises
+    ------
+    InputError
+        If there is no such parameter, or if it is held, at a bound or not identifiable.
     """
     if parameter is None:
         parameter = next(iter(fit.params))
@@ -161,7 +193,20 @@ def profile(fit: Any, parameter: str | None = None, ax: Axes | None = None) -> A
 def budget(fit: Any, ax: Axes | None = None) -> Axes:
     """Draws the shares of the first parameter's variance: scatter, and the uncertainty of each constant.
 
-    Arguments and return value as for :func:`area`. Raises InputError if the fit has no budget.
+    Parameters
+    ----------
+    fit, ax
+        As for :func:`area`.
+
+    Returns
+    -------
+    matplotlib Axes
+        ``ax``, or the new axes.
+
+    Raises
+    ------
+    InputError
+        If the fit has no budget.
     """
     ax = _axes(ax)
     found = fit.budget
@@ -181,8 +226,24 @@ def budget(fit: Any, ax: Axes | None = None) -> Axes:
 
 
 def loads(plan: Any, least: Any, most: Any, rivals: Any = "abc", ax: Axes | None = None) -> Axes:
-    """Draws, for a plan with one more run, the expected error of lambda [%] against the load of that run [mN]; on a second
-    axis the odds against the rival that is hardest to distinguish, as a power of ten."""
+    """Draws the expected error of lambda [%] against the load [mN] of one more run of a plan.
+
+    A second axis has the odds against the rival that is hardest to distinguish, as a power of ten.
+
+    Parameters
+    ----------
+    plan : Plan
+        The experiment so far.
+    least, most, rivals
+        As for :meth:`Plan.next_loads`.
+    ax
+        As for :func:`area`.
+
+    Returns
+    -------
+    matplotlib Axes
+        ``ax``, or the new axes.
+    """
     ax = _axes(ax)
     candidates = plan.next_loads(least, most, 41, rivals)
     load = [1e3 * one for one, _ in candidates]

@@ -24,16 +24,20 @@ def residuals(
     Parameters
     ----------
     model : str or Law
+        As for :func:`mixity.area`.
     P, T, A : array_like, shape (n,)
         Dimensionless, or SI with ``contact``.
     sigma : array_like, optional
         Standard errors of A; else residuals are in the unit of A.
+    contact : (radius [m], modulus [Pa], toughness [J/m^2]), optional
+        P, T are then in N, A and ``sigma`` in m^2.
 
     Returns
     -------
-    fun, jac : callables
-        ``fun(x)``: shape (n,), the model's area minus A; beyond the last equilibrium the area at the fold. ``jac(x)``: shape
-        (n, p), the engine's derivatives dA/dx = -F_x/F_A of the equilibrium F = 0; 0 on and beyond the fold.
+    fun : callable
+        ``fun(x)``: shape (n,), the model's area minus A; beyond the last equilibrium the area at the fold.
+    jac : callable
+        ``jac(x)``: shape (n, p), the engine's derivatives dA/dx = -F_x/F_A of the equilibrium F = 0; 0 on and beyond the fold.
 
     Examples
     --------
