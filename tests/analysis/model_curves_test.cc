@@ -33,6 +33,29 @@ TEST(ModelCurves, EndsOfABandRunToTheSamePsiAboveTheFrameToo) {
   EXPECT_GT(beyond, 0);
 }
 
+/// Three series with a toughness each, and no stated one.
+TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundForTheirSeries) {
+  FitRequest request;
+  request.data_path = MIXITY_ROOT "/data/snow_weak_layers_manual.csv";
+  request.models = {"c"};
+  request.options.free = {kToughness};
+  request.options.checks = false;
+  const Analysis result = run(request);
+  const FitResult& fit = result.fits.at(0);
+  const Dataset& data = result.data;
+  for (std::size_t run = 0; run < 3; ++run) {
+    const FittedParameter* const found = find_parameter(fit.parameters, "toughness(" + data.curves[run] + ")");
+    ASSERT_TRUE(found && found->value) << run;
+    EXPECT_EQ(over_fitted_toughness(data, fit, run), data.display.energy_scale / *found->value);
+  }
+  // then the points lie about the fitted curve
+  double sum = 0;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    sum += data.toughness(i)->ratio * over_fitted_toughness(data, fit, data.points[i].curve);
+  EXPECT_GT(sum / static_cast<double>(data.points.size()), 1);
+  EXPECT_EQ(over_fitted_toughness(data, {}, 0), 1);
+}
+
 /// Loads that are read 4 mN too large, which the metadata state.
 TEST(ModelCurves, MapsOfRegimesAreOfTheLoadsAsCorrected) {
   FitRequest request;
