@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <vector>
 
 #include "fitting/curve_objective.h"
 
@@ -38,6 +39,58 @@ struct CurveObjective::Indices {
   }
   std::array<std::uint32_t, kBlock> own;
   std::span<const std::uint32_t> list;
+};
+
+/// Readings of the axes of a block, or of its loads at held approaches, their residuals, and the derivatives of these.
+struct CurveObjective::OfAxes {
+  std::vector<double> q, sigma_q, slant, r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A;
+  std::vector<double> dm, of_q, own_q, of_sigma_q, own_sigma_q;  // of loads
+
+  void add(const CurveObjective& of, const MeasuredPoints& points, std::size_t begin, std::size_t n, std::size_t p,
+           PlanePoints& plane, CurveDistances& out) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const MeasuredAxes& one = (*points.axes)[of.index_of(begin + i)];
+      q.push_back(one.q);
+      sigma_q.push_back(one.sigma_q);
+      slant.push_back(one.slant);
+    }
+    for (std::vector<double>* const list : {&r, &dP, &dT, &dA, &of_sigma_T, &of_sigma_A, &own_sigma_T, &own_sigma_A})
+      list->resize(n);
+    parameters.resize(n * p);
+    plane.q = q;
+    plane.sigma_q = sigma_q;
+    plane.slant = slant;
+    out.axes = {r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A};
+    if (!of.model().holds_approach()) return;
+    for (std::vector<double>* const list : {&dm, &of_q, &own_q, &of_sigma_q, &own_sigma_q}) list->resize(n);
+    out.axes.dm = dm;
+    out.axes.of_q = of_q;
+    out.axes.own_q = own_q;
+    out.axes.of_sigma_q = of_sigma_q;
+    out.axes.own_sigma_q = own_sigma_q;
+  }
+};
+
+/// Of a held approach: the machine's compliance at each point of a block, and derivatives in it.
+struct CurveObjective::OfApproach {
+  std::vector<double> compliance, dm;
+
+  /// Scales the loads that were measured beside the approach, too.
+  void add(const CurveObjective& of, const Constants& constants, const MeasuredPoints& points, std::size_t begin,
+           std::size_t n, OfAxes& loads, PlanePoints& plane, CurveDistances& out) {
+    const bool varies = of.varies_ || has_changes(constants);
+    ConstantsScale scale(constants);
+    dm.resize(n);
+    out.dm = dm;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (varies) scale = ConstantsScale(constants, points.at(of.index_of(begin + i)).place);
+      compliance.push_back(of.model().held_at(0).compliance * scale.compliance);
+      if (loads.q.empty()) continue;
+      loads.q[i] = scale.load_beside(loads.q[i]);
+      loads.sigma_q[i] *= scale.force;
+    }
+    plane.compliance = compliance;
+  }
 };
 
 }  // namespace mixity

@@ -263,58 +263,6 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   }
 }
 
-/// Readings of the axes of a block, or of its loads at held approaches, their residuals, and the derivatives of these.
-struct CurveObjective::OfAxes {
-  std::vector<double> q, sigma_q, slant, r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A;
-  std::vector<double> dm, of_q, own_q, of_sigma_q, own_sigma_q;  // of loads
-
-  void add(const CurveObjective& of, const MeasuredPoints& points, std::size_t begin, std::size_t n, std::size_t p,
-           PlanePoints& plane, CurveDistances& out) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const MeasuredAxes& one = (*points.axes)[of.index_of(begin + i)];
-      q.push_back(one.q);
-      sigma_q.push_back(one.sigma_q);
-      slant.push_back(one.slant);
-    }
-    for (std::vector<double>* const list : {&r, &dP, &dT, &dA, &of_sigma_T, &of_sigma_A, &own_sigma_T, &own_sigma_A})
-      list->resize(n);
-    parameters.resize(n * p);
-    plane.q = q;
-    plane.sigma_q = sigma_q;
-    plane.slant = slant;
-    out.axes = {r, dP, dT, dA, parameters, of_sigma_T, of_sigma_A, own_sigma_T, own_sigma_A};
-    if (!of.model().holds_approach()) return;
-    for (std::vector<double>* const list : {&dm, &of_q, &own_q, &of_sigma_q, &own_sigma_q}) list->resize(n);
-    out.axes.dm = dm;
-    out.axes.of_q = of_q;
-    out.axes.own_q = own_q;
-    out.axes.of_sigma_q = of_sigma_q;
-    out.axes.own_sigma_q = own_sigma_q;
-  }
-};
-
-/// Of a held approach: the machine's compliance at each point of a block, and derivatives in it.
-struct CurveObjective::OfApproach {
-  std::vector<double> compliance, dm;
-
-  /// Scales the loads that were measured beside the approach, too.
-  void add(const CurveObjective& of, const Constants& constants, const MeasuredPoints& points, std::size_t begin,
-           std::size_t n, OfAxes& loads, PlanePoints& plane, CurveDistances& out) {
-    const bool varies = of.varies_ || has_changes(constants);
-    ConstantsScale scale(constants);
-    dm.resize(n);
-    out.dm = dm;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (varies) scale = ConstantsScale(constants, points.at(of.index_of(begin + i)).place);
-      compliance.push_back(of.model().held_at(0).compliance * scale.compliance);
-      if (loads.q.empty()) continue;
-      loads.q[i] = scale.load_beside(loads.q[i]);
-      loads.sigma_q[i] *= scale.force;
-    }
-    plane.compliance = compliance;
-  }
-};
-
 bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
                                const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
   const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
@@ -398,40 +346,32 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
       wanted.nearest->load_A[to(i)] = load_A / size;
     }
     if (by_column || wanted.jacobian.empty()) continue;
-    const auto fill = [&](std::size_t to_row, const ResidualSlopes& of_readings) {
-      const ScaledSlopes slopes = of_readings.at(P[i], T[i], A[i]);
+    const auto fill = [&](std::size_t to_row, const auto& slopes) {
       double* const row = &wanted.jacobian[to_row * width] + choice_.of_model().size();
       for (std::size_t k = 0; k < choice_.constants().size(); ++k)
         row[k] = slopes.in(choice_.constants()[k], scale, place);
     };
-    if (held) {
-      const auto fill_held = [&](std::size_t to_row, const HeldSlopes& slopes) {
-        double* const row = &wanted.jacobian[to_row * width] + choice_.of_model().size();
-        for (std::size_t k = 0; k < choice_.constants().size(); ++k)
-          row[k] = slopes.in(choice_.constants()[k], scale, place);
-      };
-      const double m = approach.compliance[i];
-      if (axes.r.empty()) {
-        fill_held(to(i), slopes_of(i).held(P[i], T[i], A[i], out.dm[i] * m));
-        continue;
-      }
-      const bool loaded = std::isfinite(axes.q[i]);
-      const double load = loaded ? axes.q[i] : 0;
-      fill_held(to(i), ResidualSlopes{out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]}.held(
-                           P[i], T[i], A[i], out.dm[i] * m, axes.of_q[i], load, axes.of_sigma_q[i]));
-      if (const std::size_t row = axes_row_[index_of(begin + i)]; row > 0)
-        fill_held(row,
-                  ResidualSlopes{axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]}.held(
-                      P[i], T[i], A[i], axes.dm[i] * m, axes.own_q[i], load, axes.own_sigma_q[i]));
+    const std::size_t beside = axes.r.empty() ? 0 : row_of_axes(index_of(begin + i));  // 0: none
+    const ResidualSlopes of_point =
+        axes.r.empty() ? slopes_of(i)
+                       : ResidualSlopes{out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]};
+    const auto of_axes = [&] {
+      return ResidualSlopes{axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]};
+    };
+    if (!held) {
+      fill(to(i), of_point.at(P[i], T[i], A[i]));
+      if (beside > 0) fill(beside, of_axes().at(P[i], T[i], A[i]));
       continue;
     }
+    const double m = approach.compliance[i];
     if (axes.r.empty()) {
-      fill(to(i), slopes_of(i));
+      fill(to(i), of_point.held(P[i], T[i], A[i], out.dm[i] * m));
       continue;
     }
-    fill(to(i), {out.dP[i], out.dT[i], out.dA[i], axes.of_sigma_T[i], axes.of_sigma_A[i]});
-    if (const std::size_t row = row_of_axes(index_of(begin + i)); row > 0)
-      fill(row, {axes.dP[i], axes.dT[i], axes.dA[i], axes.own_sigma_T[i], axes.own_sigma_A[i]});
+    const double load = std::isfinite(axes.q[i]) ? axes.q[i] : 0;
+    fill(to(i), of_point.held(P[i], T[i], A[i], out.dm[i] * m, axes.of_q[i], load, axes.of_sigma_q[i]));
+    if (beside > 0)
+      fill(beside, of_axes().held(P[i], T[i], A[i], axes.dm[i] * m, axes.own_q[i], load, axes.own_sigma_q[i]));
   }
   return true;
 }
