@@ -1,7 +1,5 @@
 #include "fitting/assumed_ratio.h"
 
-#include <cmath>
-#include <optional>
 #include <string>
 
 #include "base/number_text.h"
@@ -9,15 +7,13 @@
 namespace mixity {
 
 Message ratio_of_errors_matters(const Dataset& data, const FitResult& fit, const FitOfValues& refit) {
-  constexpr double kFactor = 10, kShare = 0.25;  // of the interval, as for other tests
+  constexpr double kFactor = 10;
   const FittedParameter& first = fit.parameters[0];
   if (fit.objective != Objective::curve || !data.has_energies || !data.errors.empty() || !first.stderr_) return {};
-  const double half = 1.96 * *first.stderr_, low = first.interval ? first.interval->low.value_or(first.lower) : -half,
-               high = first.interval ? first.interval->high.value_or(first.upper) : half;
+  Dataset other = data;
   std::string values;
   bool matters = false;
   for (const double factor : {1 / kFactor, kFactor}) {
-    Dataset other = data;
     for (PointEnergies& energies : other.energies) {
       energies.sigma_GI = 1;
       energies.sigma_GII = factor;
@@ -25,7 +21,7 @@ Message ratio_of_errors_matters(const Dataset& data, const FitResult& fit, const
     const FitResult found = refit(other);
     if (!found.has_values() || !found.parameters[0].value) return {};
     const double value = *found.parameters[0].value;
-    matters = matters || std::abs(value - *first.value) > kShare * (high - low);
+    matters = matters || moves_or_widens((value - *first.value) / *first.stderr_, 1);
     values += (values.empty() ? "" : ", ") + rounded(value, 3) + " if those of G_II are " +
               (factor < 1 ? "a tenth of" : "ten times") + " those of G_I";
   }

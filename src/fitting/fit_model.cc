@@ -57,8 +57,8 @@ FitResult fit_and_test(const Dataset& data, std::string_view model, const FitOpt
 
 void find_cause(const Dataset& data, FitResult& result, const FitOptions& options, std::optional<double> to_beat) {
   if (result.status == FitStatus::ok && options.checks) {
-    const std::vector<std::size_t> used(result.used.begin(), result.used.end());
     const Message ratio = ratio_of_errors_matters(data, result, [&](const Dataset& other) {
+      const std::vector<std::size_t> used = result.used.list();
       return fit(other, result.model, value_only(options), Purpose::values, &used, nullptr);
     });
     if (!ratio.empty()) {
