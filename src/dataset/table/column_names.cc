@@ -192,11 +192,11 @@ class Names {
   /// Whether these columns suffice for points.
   bool is_complete() const {
     using enum ColumnId;
-    const bool loads = holds_loads();
-    if (rules_.log)
-      return loads && (find(ColumnId::time) || find(ColumnId::frame));  // false for a log of forces or areas alone
-    if (!rules_.log && find(P_c) && (find(T) || find(ColumnId::u))) return true;
-    return loads || ((find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc))) || (find(G_I) && find(G_II));
+    // false for a log of forces or areas alone
+    if (rules_.log) return holds_loads() && (find(ColumnId::time) || find(ColumnId::frame));
+    if (find(P_c) && (find(T) || find(ColumnId::u))) return true;
+    const bool toughness = (find(psi) || find(mode_ratio)) && (find(Gc) || find(Gc_over_GIc));
+    return holds_loads() || toughness || (find(G_I) && find(G_II));
   }
 
   /// Removes radii or axes beside areas computed from them, or the reverse. If two names denote one quantity and only
