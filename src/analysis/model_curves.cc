@@ -23,9 +23,11 @@ std::vector<std::size_t> shown_runs(const Dataset& data) {
 /// `front`: the fit whose toughness the points are drawn with; or null.
 ToughnessRange toughness_range(const Dataset& data, const FitResult* front) {
   ToughnessRange range;
+  const std::vector<double> over =
+      front ? over_fitted_toughness(data, *front) : std::vector<double>(data.curves.size(), 1);
   for (std::size_t i = 0; i < data.points.size(); ++i)
     if (const auto toughness = data.toughness(i)) {
-      const double ratio = toughness->ratio * (front ? over_fitted_toughness(data, *front, data.points[i].curve) : 1);
+      const double ratio = toughness->ratio * over[data.points[i].curve];
       range.last_psi = std::max(range.last_psi, toughness->psi());
       range.largest = std::max(range.largest, ratio);
       range.least = std::min(range.least, ratio);
@@ -102,12 +104,15 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size
   return chosen;
 }
 
-double over_fitted_toughness(const Dataset& data, const FitResult& fit, std::size_t run) {
-  if (data.has_loads) return 1;
-  const FittedParameter* found =
-      run < data.curves.size() ? find_parameter(fit.parameters, "toughness(" + data.curves[run] + ")") : nullptr;
-  if (!found) found = find_parameter(fit.parameters, kConstantNames[kToughness]);
-  return found && found->value ? data.display.energy_scale / *found->value : 1;
+std::vector<double> over_fitted_toughness(const Dataset& data, const FitResult& fit) {
+  std::vector<double> factors(data.curves.size(), 1);
+  const FittedParameter* const of_all = find_parameter(fit.parameters, kConstantNames[kToughness]);
+  for (std::size_t run = 0; run < factors.size() && !data.has_loads; ++run) {
+    const FittedParameter* const own = find_parameter(fit.parameters, "toughness(" + data.curves[run] + ")");
+    const FittedParameter* const found = own ? own : of_all;
+    if (found && found->value) factors[run] = data.display.energy_scale / *found->value;
+  }
+  return factors;
 }
 
 FiguredModels figured_models(const Analysis& result) {

@@ -52,9 +52,9 @@ inline constexpr double kWidestArea = 2.1;
 /// Loads and shears are dimensionless; curves are in the units of the data file.
 FiguredModels figured_models(const Analysis& result);
 
-/// The factor that puts measured ratios of a run, which are over the stated G_Ic, over the one that this fit found, of
-/// the run or of all; 1 where it found none, and for data with loads.
-double over_fitted_toughness(const Dataset& data, const FitResult& fit, std::size_t run);
+/// For each run the factor that puts measured ratios, which are over the stated G_Ic, over the one that this fit found,
+/// of the run or of all; 1 where it found none, and for data with loads.
+std::vector<double> over_fitted_toughness(const Dataset& data, const FitResult& fit);
 
 /// n of the items, evenly spread, including the first and the last; all if there are at most n.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size_t n);

@@ -24,13 +24,12 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
   const std::vector<std::size_t> shown = shown_points(all);
   Series points{"data", Look::circles, color(7)};
   const auto& models = reported.figured.models;
-  const FitResult* const fitted = models.empty() ? nullptr : models.front().fit;
-  bool rescaled = false;
+  const std::vector<double> over =
+      models.empty() ? std::vector<double>(data.curves.size(), 1) : over_fitted_toughness(data, *models.front().fit);
+  const bool rescaled = std::any_of(over.begin(), over.end(), [](double one) { return one != 1; });
   for (const std::size_t i : shown) {
-    const double over = fitted ? over_fitted_toughness(data, *fitted, data.points[i].curve) : 1,
-                 psi = data.toughness(i)->psi(), ratio = over * data.toughness(i)->ratio,
-                 error = over * data.errors_of(i).ratio;
-    rescaled |= over != 1;
+    const double factor = over[data.points[i].curve], psi = data.toughness(i)->psi(),
+                 ratio = factor * data.toughness(i)->ratio, error = factor * data.errors_of(i).ratio;
     points.points.emplace_back(psi, ratio);
     points.hover.push_back(point_hover(data, i));
     if (errors) points.bars.push_back({psi, psi, std::max(ratio - error, 0.5 * range.least), ratio + error});
@@ -63,7 +62,7 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
                                    "here: judge by the areas."
                                  : ".") +
                  shown_note(shown.size(), all.size()) +
-                 (rescaled ? " Points are over the toughness that model " + fitted->model + " found."
+                 (rescaled ? " Points are over the toughness that model " + models.front().fit->model + " found."
                   : result.request.options.free.empty()
                       ? ""
                       : " Points are computed with the stated constants, not with those that were fitted.")};
