@@ -33,6 +33,28 @@ Analysis fit(const Dataset& data, const Stated& options, const nb::object& progr
   return run(request, data, [&](double share) { watch(share); });
 }
 
+std::vector<AreaPrediction> predicted(const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T) {
+  return without_gil([&] {
+    return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
+                            {T.data(), T.size()});
+  });
+}
+
+/// A number of each prediction in this unit, and the ends of its band; NaN where it is not known.
+template <class Of>
+nb::tuple with_band(const std::vector<AreaPrediction>& found, double unit, double confidence, const Of& of) {
+  const double quantile = normal_quantile(0.5 + confidence / 2), none = std::nan("");
+  std::vector<double> value, low, high;
+  for (const AreaPrediction& one : found) {
+    const Derived number = of(one);
+    const double half = quantile * (number.standard_error.value_or(none) * unit);
+    value.push_back(number.value.value_or(none) * unit);
+    low.push_back(value.back() - half);
+    high.push_back(value.back() + half);
+  }
+  return nb::make_tuple(numpy_of(value), numpy_of(low), numpy_of(high));
+}
+
 }  // namespace
 
 nb::dict shown(const FoldPrediction& fold, bool with_errors) {
@@ -85,42 +107,19 @@ void bind_fits(nb::module_& m) {
                }
              return nb::make_tuple(numpy_of(x), numpy_of(rise), level);
            })
-      .def("areas",  // with bands; NaN if unknown
+      .def("areas",  // with their band; NaN if unknown
            [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T, double confidence) {
-             const std::vector<AreaPrediction> found = without_gil([&] {
-               return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
-                                       {T.data(), T.size()});
-             });
-             const double quantile = normal_quantile(0.5 + confidence / 2), unit = result.data.display.area_scale;
-             std::vector<double> A(P.size(), std::nan("")), low = A, high = A;
-             for (std::size_t k = 0; k < found.size(); ++k) {
-               if (found[k].status != EquilibriumStatus::ok) continue;
-               A[k] = found[k].A * unit;
-               const double half = quantile * (found[k].standard_error.value_or(std::nan("")) * unit);
-               low[k] = A[k] - half;
-               high[k] = A[k] + half;
-             }
-             return nb::make_tuple(numpy_of(A), numpy_of(low), numpy_of(high));
+             return with_band(
+                 predicted(result, i, P, T), result.data.display.area_scale, confidence, [](const AreaPrediction& one) {
+                   return one.status == EquilibriumStatus::ok ? Derived{one.A, one.standard_error} : Derived{};
+                 });
            })
       .def("axes",  // a and b, each with its band; NaN if unknown
            [](const Analysis& result, std::size_t i, const Numbers& P, const Numbers& T, double confidence) {
-             const std::vector<AreaPrediction> found = without_gil([&] {
-               return predict_areas_of(result.data, result.fits.at(i), result.request.options, {P.data(), P.size()},
-                                       {T.data(), T.size()});
-             });
-             const double quantile = normal_quantile(0.5 + confidence / 2), none = std::nan(""),
-                          unit = std::sqrt(result.data.display.area_scale);
-             const auto with_band = [&](Derived AreaPrediction::*axis) {
-               std::vector<double> value, low, high;
-               for (const AreaPrediction& one : found) {
-                 const double half = quantile * (one.*axis).standard_error.value_or(none);
-                 value.push_back(unit * (one.*axis).value.value_or(none));
-                 low.push_back(value.back() - unit * half);
-                 high.push_back(value.back() + unit * half);
-               }
-               return nb::make_tuple(numpy_of(value), numpy_of(low), numpy_of(high));
-             };
-             return nb::make_tuple(with_band(&AreaPrediction::a), with_band(&AreaPrediction::b));
+             const std::vector<AreaPrediction> found = predicted(result, i, P, T);
+             const double unit = std::sqrt(result.data.display.area_scale);
+             return nb::make_tuple(with_band(found, unit, confidence, [](const AreaPrediction& one) { return one.a; }),
+                                   with_band(found, unit, confidence, [](const AreaPrediction& one) { return one.b; }));
            });
   results.def("folds", [](const Analysis& result, std::size_t i, double P, const std::string& control,
                           double stiffness) {

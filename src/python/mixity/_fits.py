@@ -178,12 +178,8 @@ class Fit(_Described):
             The band, likewise; NaN where a parameter has no standard error. It is that of the curve (delta method on the
             fit's covariance, constants of the experiment among them), without the scatter of a new measurement.
         """
-        if not 0 < confidence < 1:
-            raise _core.InputError(f"confidence is {confidence}; it must lie between 0 and 1")
-        P, T = np.broadcast_arrays(self._load("P", P), self._load("T", T))
-        flat = (np.ascontiguousarray(one).reshape(-1) for one in (P, T))
-        A, low, high = (one.reshape(P.shape) for one in self._fits._results.areas(self._index, *flat, confidence))
-        return A, low, high
+        (band,) = self._predicted(lambda *at: [self._fits._results.areas(*at)], P, T, confidence)
+        return band
 
     def axes(
         self, P: ArrayLike, T: ArrayLike, confidence: float = 0.95
@@ -209,12 +205,16 @@ class Fit(_Described):
         """
         if "-ellipse" not in self.model:
             raise _core.InputError(f'model {self.model} is that of a circle; fit with shape="ellipse" for its axes')
+        along, across = self._predicted(self._fits._results.axes, P, T, confidence)
+        return along, across
+
+    def _predicted(self, bands: Any, P: ArrayLike, T: ArrayLike, confidence: float) -> list[tuple[FloatArray, FloatArray, FloatArray]]:
+        """What ``bands`` of the engine gives at these loads, in their broadcast shape."""
         if not 0 < confidence < 1:
             raise _core.InputError(f"confidence is {confidence}; it must lie between 0 and 1")
         P, T = np.broadcast_arrays(self._load("P", P), self._load("T", T))
         flat = (np.ascontiguousarray(one).reshape(-1) for one in (P, T))
-        a, b = (tuple(one.reshape(P.shape) for one in axis) for axis in self._fits._results.axes(self._index, *flat, confidence))
-        return a, b
+        return [tuple(one.reshape(P.shape) for one in band) for band in bands(self._index, *flat, confidence)]
 
     def _load(self, name: str, loads: Any) -> FloatArray:
         """Dimensionless loads, from loads in the data's unit or quantities."""
