@@ -1,5 +1,6 @@
 #include "cli/contact_flags.h"
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 
@@ -111,6 +112,13 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;
 
+/// Parameters that have a flag each.
+constexpr const char* kOwnFlags[] = {"lambda", "lambda_II", "lambda_III"};
+bool has_flag(const std::string& parameter) {
+  return parameter == kPoissonRatio ||
+         std::find(std::begin(kOwnFlags), std::end(kOwnFlags), parameter) != std::end(kOwnFlags);
+}
+
 /// The parameters from --parameters and the flags of one parameter, by name.
 Texts parameter_texts() {
   Texts given;
@@ -123,7 +131,7 @@ Texts parameter_texts() {
     if (!given.emplace(name, item.substr(equals + 1)).second)
       throw UsageError("flag '--parameters' names '" + name + "' twice");
   }
-  for (const char* name : {"lambda", "lambda_II", "lambda_III"})
+  for (const char* name : kOwnFlags)
     if (is_set(name) && !given.emplace(name, value_of(name)).second)
       throw UsageError("flags '--" + std::string(name) + "' and '--parameters' both give " + name);
   return given;
@@ -141,11 +149,8 @@ ParameterValues taken_from(Texts& given, const ContactModel& model, const std::s
     if (i == except) continue;
     const auto found = given.find(name);
     if (found == given.end())
-      throw UsageError(
-          "model " + key + (suffix.empty() ? "" : " of an ellipse") + " needs " +
-          (info.name == "lambda" || info.name == "lambda_II" || info.name == "lambda_III" || name == kPoissonRatio
-               ? "--" + name
-               : "--parameters=" + name + "=..."));
+      throw UsageError("model " + key + (suffix.empty() ? "" : " of an ellipse") + " needs " +
+                       (has_flag(name) ? "--" + name : "--parameters=" + name + "=..."));
     const auto value = parse_number(found->second);
     if (!value || !(*value >= info.lower && *value <= info.upper))
       throw UsageError(name + " is '" + found->second + "'; model " + key + " needs a number from " +
