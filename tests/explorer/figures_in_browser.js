@@ -4,25 +4,12 @@
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
-const {execFileSync} = require('child_process');
-const root = path.resolve(__dirname, '../..');
-const built = path.join(root, 'build/explorer');
+const {root, built, shots, failures, expect, near, run: runIn} = require('./program.js');
 const {chromium} = require(path.join(built, 'node_modules/playwright-core'));
-const program = path.join(root, 'build/release/src/mixity');
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'mixity-figures-'));
-const shots = process.env.MIXITY_SHOTS;  // a folder for pictures of the page
-const failures = [];
-const expect = (holds, message) => { if (!holds) failures.push(message); };
-const near = (one, other, part) => Math.abs(one - other) <= part * Math.abs(other);
+const run = (words, where = folder) => runIn(words, where);
 const sample = ['csv', 'toml'].map(ending => path.join(root, 'data', `mergel2018.${ending}`));
 
-function run(words) {
-  try {
-    return execFileSync(program, words, {cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});
-  } catch (ended) {  // 1: a fit that cannot be believed
-    return ended.stdout;
-  }
-}
 const fitsOf = words => JSON.parse(run(['fit', ...words, '--format=json'])).datasets[0].fits;
 
 const fitted = page => page.waitForFunction(() => document.getElementById('busy').hidden && window.explorer.experiment.result, undefined, {timeout: 60000});

@@ -3,26 +3,12 @@
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
-const {execFileSync} = require('child_process');
+const {root, built, shots, failures, expect, near, run: runIn} = require('./program.js');
 const {workbookOf} = require('./workbook.js');
-const root = path.resolve(__dirname, '../..');
-const built = path.join(root, 'build/explorer');
 const {chromium} = require(path.join(built, 'node_modules/playwright-core'));
-const program = path.join(root, 'build/release/src/mixity');
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'mixity-explorer-'));
-const shots = process.env.MIXITY_SHOTS;  // a folder for pictures of the page
-const failures = [];
-const expect = (holds, message) => { if (!holds) failures.push(message); };
-
-function run(words, where = folder) {
-  try {
-    return execFileSync(program, words, {cwd: where, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});
-  } catch (ended) {  // 1: a fit that cannot be believed
-    return ended.stdout;
-  }
-}
+const run = (words, where = folder) => runIn(words, where);
 const fitsOf = text => JSON.parse(text).datasets[0].fits;
-const near = (one, other, part) => Math.abs(one - other) <= part * Math.abs(other);
 
 async function saved(page, what) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(['svg', 'png'].includes(what) ? `#chart-fit + .tools [data-figure=${what}]` : `[data-save=${what}]`)]);

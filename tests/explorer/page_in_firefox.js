@@ -3,14 +3,8 @@
 'use strict';
 const fs = require('fs');
 const path = require('path');
-const {execFileSync} = require('child_process');
 const {firefox} = require('./firefox.js');
-const root = path.resolve(__dirname, '../..');
-const program = path.join(root, 'build/release/src/mixity');
-const shots = process.env.MIXITY_SHOTS;  // a folder for pictures of the page
-const failures = [];
-const expect = (holds, message) => { if (!holds) failures.push(message); };
-const near = (one, other, part) => Math.abs(one - other) <= part * Math.abs(other);
+const {root, shots, failures, expect, near, run} = require('./program.js');
 const browser = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 
 async function main(page) {
@@ -33,7 +27,7 @@ async function main(page) {
   await page.files('#file', ['csv', 'toml'].map(ending => path.join(root, 'data', `mergel2018.${ending}`)));
   await page.until(() => Boolean(window.explorer.experiment.result));
   const fits = await page.evaluate(() => window.explorer.experiment.result.fits.datasets[0].fits.map(({model, status, parameters}) => ({model, status, value: parameters.lambda.value})));
-  const known = JSON.parse(execFileSync(program, ['fit', path.join(root, 'data/mergel2018.csv'), '--models=a,b,c', '--format=json'], {encoding: 'utf8'})).datasets[0].fits;
+  const known = JSON.parse(run(['fit', path.join(root, 'data/mergel2018.csv'), '--models=a,b,c', '--format=json'])).datasets[0].fits;
   known.forEach((fit, i) => expect(fits[i].status === fit.status && near(fits[i].value, fit.parameters.lambda.value, 1e-9), `${fit.model}: ${fits[i].value} ${fits[i].status}, not ${fit.parameters.lambda.value} ${fit.status}`));
 
   // the figures are drawn, the saved one is XML, the map is there
