@@ -44,11 +44,11 @@ class Distances {
           if (!write(block_, result_, slot, from + slot)) return false;
         } else {
           const double distance = settled ? result_.distance[slot] : std::numeric_limits<double>::infinity();
-          left_.push_back({from + slot, {block_.T[slot], block_.A[slot], distance}});
+          left_.push_back({from + slot, {block_.T[slot], block_.A[slot], distance}, block_.at_end[slot] > 0});
         }
       }
     }
-    if (!left_.empty() && !family_.uncoupled) search_curves();
+    if (!left_.empty() && !family_.uncoupled && !search_curves()) return false;
     for (std::size_t from = 0; from < left_.size(); from += kBlock)
       if (!finish(from, std::min(kBlock, left_.size() - from))) return false;
     return true;
@@ -59,6 +59,7 @@ class Distances {
   struct Left {
     std::size_t index;
     Place place;
+    bool at_end;
   };
 
   /// Takes the caller's starting points. False if a point of the block has none.
@@ -95,21 +96,97 @@ class Distances {
     block_.settled[slot] = block_.at_end[slot] = 0;
   }
 
+  /// Whether the place that was found is the nearest: the outline approaches the point there and turns little, elsewhere
+  /// only farther away than by its distance and the size of its segments, and the distance has a clear minimum. Of laws
+  /// whose curves bend on no smaller scale than that of the outline's nodes.
+  bool is_nearest(const Left& left, const std::vector<Approach>& found) {
+    constexpr double kClear = 0.3;  // of the second derivative that the distance from a straight line has
+    if constexpr (HasPackedForm<Law>) {
+      if (!std::isfinite(left.place.distance) || left.at_end) return false;
+      set_slot(0, left);
+      const Turn turn = turn_of(found[0].segment);
+      if (!(left.place.A <= turn.highest && left.place.A >= turn.lowest && turn.sine < 0.5)) return false;
+      for (std::size_t k = 1; k < found.size(); ++k)
+        if (!(found[k].distance - size_of(found[k].segment) > left.place.distance)) return false;
+      const Local q = local_form(family_, block_, 0);
+      const double least = curvature(q);
+      // beyond the convex side of the curve no other place is near
+      return least > kClear && (least >= 1 || (1 - kClear) * turn.radius > 2 * left.place.distance);
+    }
+    return false;
+  }
+
+  /// How three successive segments of the outline turn, in units of the errors.
+  struct Turn {
+    double lowest, highest;  // areas
+    double sine, radius;     // the larger sine of their two angles, the smaller radius of a circle through three nodes
+  };
+  Turn turn_of(int segment) const {
+    const auto node = [&](int k) {
+      const PlanePlace place = table_->places()[static_cast<std::size_t>(std::min(std::abs(k), table_->last()))];
+      return k < 0 ? PlanePlace{-place.T, place.A} : place;  // the curve is even in T
+    };
+    const PlanePlace nodes[] = {node(segment - 1), node(segment), node(segment + 1), node(segment + 2)};
+    Turn turn{nodes[3].A, std::max(nodes[0].A, nodes[1].A), 0, std::numeric_limits<double>::infinity()};
+    double x = 0, z = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double dx = (nodes[k + 1].T - nodes[k].T) * block_.per_T[0];
+      const double dz = (nodes[k + 1].A - nodes[k].A) * block_.per_A[0];
+      if (k > 0) {
+        const double length = std::sqrt((x * x + z * z) * (dx * dx + dz * dz));
+        const double sine = x * dx + z * dz > 0 ? std::abs(x * dz - z * dx) / length : 1.0;
+        turn.sine = std::max(turn.sine, sine);
+        turn.radius = std::min(turn.radius, std::sqrt(std::pow(x + dx, 2) + std::pow(z + dz, 2)) / (2 * sine));
+      }
+      x = dx;
+      z = dz;
+    }
+    return turn;
+  }
+
+  /// The extent of these segments in T and A, in units of the errors.
+  double size_of(int segment) const {
+    const std::vector<PlanePlace>& nodes = table_->places();
+    const PlanePlace &from = nodes[static_cast<std::size_t>(std::max(segment - 1, 0))],
+                     &to = nodes[static_cast<std::size_t>(std::min(segment + 2, table_->last()))];
+    return std::abs(to.T - from.T) * block_.per_T[0] + std::abs(to.A - from.A) * block_.per_A[0];
+  }
+
+  void set_slot(std::size_t slot, const Left& left) {
+    set_point(block_, slot, points_, left.index);
+    block_.T[slot] = left.place.T;
+    block_.A[slot] = left.place.A;
+    block_.settled[slot] = 1;
+    block_.at_end[slot] = 0;
+  }
+
+  /// Writes points whose places are nearest.
+  bool write_nearest(const std::vector<Left>& list) {
+    for (std::size_t from = 0; from < list.size(); from += kBlock) {
+      const std::size_t count = std::min(kBlock, list.size() - from);
+      for (std::size_t slot = 0; slot < kBlock; ++slot) set_slot(slot, list[from + std::min(slot, count - 1)]);
+      measure_block(family_, derivatives_, block_, result_);
+      for (std::size_t slot = 0; slot < count; ++slot)
+        if (!write(block_, result_, slot, list[from + slot].index)) return false;
+    }
+    return true;
+  }
+
   /// Newton's method from a known point of the curve, where it has not converged yet. A global search also starts from
   /// each part of the curve's outline that comes near the measured point, and from both ends of that part, since there
   /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section.
-  void search_curves() {
-    std::optional<RayTable<Law>> table;
-    if (search_ == Search::global) table.emplace(family_);
+  bool search_curves() {
+    if (search_ == Search::global) table_.emplace(family_);
     double P = std::numeric_limits<double>::quiet_NaN();
     const auto set_load = [&](double load) {
       if (load == P) return;
       P = load;
       const CurveBounds ends = curve_bounds(family_, P);
-      table->set_load(P, {ends.T, ends.A});
+      table_->set_load(P, {ends.T, ends.A});
     };
     std::vector<Start> all;
     std::vector<Starts> of_points;
+    std::vector<Left> nearest;
     for (Left& left : left_) {
       const std::size_t i = left.index;
       Starts starts{&left, all.size(), 0, {}};
@@ -118,16 +195,20 @@ class Distances {
         const Place known = known_place(family_, block_, 0);
         all.push_back({i, {known.T, known.A}});
       }
-      if (table) {
+      if (table_) {
         set_load(points_.P[i]);
-        const std::vector<PlanePlace>& outline = table->places();
+        const std::vector<PlanePlace>& outline = table_->places();
         approaches(outline, {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i], 1 / points_.sigma_A[i],
-                   kApproaches, starts.found);
+                   kApproaches, segments_, starts.found);
+        if (is_nearest(left, starts.found)) {
+          nearest.push_back(left);
+          continue;
+        }
         for (const Approach& approach : starts.found) {
           all.push_back({i, approach.place});
           for (const int side : {-1, 2})
             all.push_back(
-                {i, outline[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table->last()))]});
+                {i, outline[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table_->last()))]});
         }
       }
       starts.end = all.size();
@@ -146,14 +227,24 @@ class Distances {
         set_load(points_.P[left.index]);
         set_point(block_, 0, points_, left.index);
         const auto distance = [&](double u) {
-          const PlanePlace place = table->at(u);
+          const PlanePlace place = table_->at(u);
           return distance_to(block_, 0, place.T, place.A);
         };
-        const double low = std::max(approach.segment - 1, 0), high = std::min(approach.segment + 2, table->last());
+        const double low = std::max(approach.segment - 1, 0), high = std::min(approach.segment + 2, table_->last());
         const double u = golden_section(low, high, distance), d = distance(u);
-        if (d < left.place.distance * (1 - 1e-9)) left.place = {table->at(u).T, table->at(u).A, d};
+        if (d < left.place.distance * (1 - 1e-9)) left.place = {table_->at(u).T, table_->at(u).A, d};
       }
     }
+    if (nearest.empty()) return true;
+    const auto is_written = [&, next = nearest.begin()](const Left& left) mutable {
+      if (next == nearest.end() || next->index != left.index) return false;
+      ++next;
+      return true;
+    };
+    std::vector<Left> rest;
+    std::remove_copy_if(left_.begin(), left_.end(), std::back_inserter(rest), is_written);
+    left_ = std::move(rest);
+    return write_nearest(nearest);
   }
 
   /// Newton's method from all starts. Those that take many steps, or never settle, continue in blocks of their own:
@@ -292,6 +383,8 @@ class Distances {
   Block block_;
   Result<Law> result_, unmoved_;
   std::vector<Left> left_;
+  std::optional<RayTable<Law>> table_;
+  SegmentDistances segments_;
 };
 
 }  // namespace

@@ -164,36 +164,63 @@ struct Approach {
   int segment;
 };
 
+/// The squared distance of a point from each segment of an outline, and where on the segment it is.
+struct SegmentDistances {
+  std::vector<double> square, share;
+};
+
+/// Without branches, so that the loop is vectorised.
+MIXITY_LOOP void measure_segments(const PlanePlace* places, std::size_t n, PlanePlace point, double per_T, double per_A,
+                                  double* __restrict square, double* __restrict share) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = (places[i].T - point.T) * per_T, z = (places[i].A - point.A) * per_A;
+    const double dx = (places[i + 1].T - point.T) * per_T - x, dz = (places[i + 1].A - point.A) * per_A - z;
+    const double length = dx * dx + dz * dz, along = -(x * dx + z * dz) / length;
+    const double low = along > 0 ? along : 0.0, inside = low < 1 ? low : 1.0, part = length > 0 ? inside : 0.5;
+    const double x_there = x + part * dx, z_there = z + part * dz;
+    square[i] = x_there * x_there + z_there * z_there;
+    share[i] = part;
+  }
+}
+
+inline void measure_by_two(const PlanePlace* places, std::size_t n, PlanePlace point, double per_T, double per_A,
+                           double* __restrict square, double* __restrict share) {
+  measure_segments(places, n, point, per_T, per_A, square, share);
+}
+inline MIXITY_WIDE void measure_by_four(const PlanePlace* places, std::size_t n, PlanePlace point, double per_T,
+                                        double per_A, double* __restrict square, double* __restrict share) {
+  measure_segments(places, n, point, per_T, per_A, square, share);
+}
+
 /// Finds the nearest `most` approaches of the polyline `places` to `point`, in ascending order of distance.
 inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
-                       std::size_t most, std::vector<Approach>& found) {
+                       std::size_t most, SegmentDistances& segments, std::vector<Approach>& found) {
   found.clear();
-  double before = std::numeric_limits<double>::infinity(), share_before = 0;
+  const std::size_t n = places.size() - 1;
+  segments.square.resize(n);
+  segments.share.resize(n);
+  (MIXITY_HAS_WIDE ? measure_by_four : measure_by_two)(places.data(), n, point, per_T, per_A, segments.square.data(),
+                                                       segments.share.data());
+  double before = std::numeric_limits<double>::infinity();
   bool nearing = true;
   const auto keep = [&](std::size_t segment) {  // the distance as its square, until all are found
     const PlanePlace &from = places[segment], &to = places[segment + 1];
-    found.push_back({before,
-                     {from.T + share_before * (to.T - from.T), from.A + share_before * (to.A - from.A)},
+    const double share = segments.share[segment];
+    found.push_back({segments.square[segment],
+                     {from.T + share * (to.T - from.T), from.A + share * (to.A - from.A)},
                      static_cast<int>(segment)});
   };
-  double x = (places[0].T - point.T) * per_T, z = (places[0].A - point.A) * per_A;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const double x_end = (places[i + 1].T - point.T) * per_T, z_end = (places[i + 1].A - point.A) * per_A;
-    const double dx = x_end - x, dz = z_end - z, square = dx * dx + dz * dz;
-    const double share = square > 0 ? std::clamp(-(x * dx + z * dz) / square, 0.0, 1.0) : 0.5;
-    const double along = x + share * dx, across = z + share * dz, here = along * along + across * across;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double here = segments.square[i];
     if (here > before && nearing) keep(i - 1);
     nearing = here <= before;
     before = here;
-    share_before = share;
-    x = x_end;
-    z = z_end;
   }
-  if (nearing) keep(places.size() - 2);
+  if (nearing) keep(n - 1);
   constexpr double kFar = 1e-160;
   if (std::any_of(found.begin(), found.end(), [](const Approach& one) { return std::isinf(one.distance); }) &&
       per_T > kFar && per_A > kFar) {  // squares overflow
-    approaches(places, point, kFar * per_T, kFar * per_A, most, found);
+    approaches(places, point, kFar * per_T, kFar * per_A, most, segments, found);
     for (Approach& one : found) one.distance /= kFar;
     return;
   }

@@ -36,19 +36,28 @@ template <bool kDerivatives, class Law>
   measure<kDerivatives>(family, block, result);
 }
 
+template <class Law>
+void measure_block(const CurveFamily<Law>& family, bool derivatives, const Block& block, Result<Law>& result) {
+  if constexpr (HasPackedForm<Law>) {  // the loops of other laws are not vectorised
+    if (MIXITY_HAS_WIDE)
+      return derivatives ? measure_by_four<true>(family, block, result) : measure_by_four<false>(family, block, result);
+  }
+  return derivatives ? measure_by_two<true>(family, block, result) : measure_by_two<false>(family, block, result);
+}
+
 /// Runs all stages. Begin::anywhere skips the search for a start.
 template <Begin kBegin, class Law>
 void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Block& block, Result<Law>& result) {
-  if constexpr (HasPackedForm<Law>) {  // the loops of other laws are not vectorised
+  if constexpr (HasPackedForm<Law>) {
     if (MIXITY_HAS_WIDE) {
       if constexpr (kBegin != Begin::anywhere) start_by_four<kBegin>(family, block);
       settle_by_four(family, steps, block);
-      return derivatives ? measure_by_four<true>(family, block, result) : measure_by_four<false>(family, block, result);
+      return measure_block(family, derivatives, block, result);
     }
   }
   if constexpr (kBegin != Begin::anywhere) start_by_two<kBegin>(family, block);
   settle_by_two(family, steps, block);
-  return derivatives ? measure_by_two<true>(family, block, result) : measure_by_two<false>(family, block, result);
+  measure_block(family, derivatives, block, result);
 }
 
 /// Whether these points can be measured ones. Without branches, so that the loop is vectorised.

@@ -175,6 +175,13 @@ MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
   }
 }
 
+/// The second derivative of half the squared distance along the curve; 1 for a straight line.
+MIXITY_LOOP double curvature(const Local& q) {
+  const double t_T = q.n_A, t_A = -q.n_T;
+  const double bend = t_T * (q.TT * t_T + q.TA * t_A) + t_A * (q.TA * t_T + q.AA * t_A);
+  return 1 - q.along * q.per_size * bend;
+}
+
 /// One step of each slot that is not settled: Newton's method on F = 0 and on the slope of the distance along the
 /// curve, that is, on the Lagrangian of the least distance. Its curvature is kept positive, so that it finds minima.
 template <class Law>
