@@ -114,6 +114,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   const int more = by_run ? 6 : 0, weighting = (many ? 1 : 2) + more, choosing = 2 * weighting - more,
             refining = 12 + more;
   constexpr double kSettled = 1e-10;  // relative change of an error or a residual; an interval changes as much
+  constexpr double kSettledOfTrial = 1e-5;  // an explanation shows four digits
   constexpr double kLeap = 0.1;       // relative change in one of the last rounds
   constexpr double kLeft = 3e-4;      // of many points: standard errors by which all further rounds would move the fit
   constexpr double kEnough = 1e-4;    // of many points: standard errors to which a round finds the minimum
@@ -227,7 +228,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     last_change = change;
-    if (change <= kSettled && round > choosing) break;
+    if (change <= (purpose_ == Purpose::tried ? kSettledOfTrial : kSettled) && round > choosing) break;
     if (many) {
       const double before = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
       if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < before &&
