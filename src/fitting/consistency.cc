@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/threads.h"
 #include "fitting/circularity.h"
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
+#include "fitting/limited_residuals.h"
 #include "fitting/pinned.h"
 #include "fitting/run_differences.h"
 #include "solver/robust.h"
@@ -145,6 +147,13 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
   const bool independent = tests.course && fit.innovations.size() == fit.residuals.size();
   std::vector<double> changed;  // of millions of points no list is copied
   if (!independent || fit.loss_scale > 0) changed = independent ? fit.innovations : unexpected(fit);
+  const std::vector<double>& whole = changed.empty() ? fit.innovations : std::as_const(changed);
+  if (fit.loss_scale == 0 && !fit.used.empty() && whole.size() == fit.used.size() && whole.size() < kManyPoints)
+    if (const LimitedResiduals limited(data, fit.used, whole); limited.any()) {
+      std::vector<double> single(whole.size());
+      for (std::size_t i = 0; i < whole.size(); ++i) single[i] = limited[i];
+      changed = std::move(single);
+    }
   if (fit.loss_scale > 0)  // limit outliers as the fit does, to where the loss bends
     for (double& r : changed) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
   const std::vector<double>& residuals = changed.empty() ? fit.innovations : changed;

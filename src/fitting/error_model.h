@@ -52,12 +52,12 @@ enum class Stage { weighting, choosing, refining, ending };
 /// count, unless the areas contradict them (Carroll & Ruppert 1988, Transformation and Weighting in Regression, chapter
 /// 3). Runs get a factor where they differ beyond chance (Bartlett 1937), shrunk by its uncertainty; each axis gets a
 /// correlation of neighbours. `used`: indices of the points; `leverages`: those of their residuals, 0..1; `before`: the
-/// last estimate; `own`: columns of which each run has its own multiple, which is not noise and is subtracted. Null if
-/// all residuals are 0.
+/// last estimate; `own`: columns of which each run has its own multiple, which is not noise and is subtracted;
+/// `may_correlate`: whether neighbours may. Null if all residuals are 0.
 std::optional<ErrorModels> estimate_errors(const Dataset& data, const PointIndices& used, const NearestPlaces& nearest,
                                            std::span<const double> leverages, const AxisErrors& T, const AxisErrors& A,
                                            const ErrorModels& before, Stage stage,
-                                           const std::vector<std::vector<double>>& own);
+                                           const std::vector<std::vector<double>>& own, bool may_correlate);
 
 /// The share of squared residuals that is independent: squares of neighbours correlate by rho^2.
 inline double independence(double rho) { return (1 - rho * rho) / (1 + rho * rho); }

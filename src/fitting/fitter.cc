@@ -244,6 +244,7 @@ Verdict Fitter::find_minimum() {
   cost_.reset();  // cost_ and robust_ refer to the previous problem
   robust_.reset();
   off_course_.reset();  // from a search that starts again
+  off_with_correlations_ = independent_ = false;
   const bool fitted_errors =
       prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors && !prepared_.used.empty();
   Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);

@@ -30,6 +30,21 @@ void drop(std::initializer_list<std::vector<double>*> lists) {
   for (std::vector<double>* const list : lists) *list = std::vector<double>();
 }
 
+/// Errors between two estimates with the same parts.
+ErrorModels halfway(const ErrorModels& one, ErrorModels other) {
+  const auto mean = [](double x, double y) { return std::sqrt((x * x + y * y) / 2); };
+  for (const auto axis : {&ErrorModels::T, &ErrorModels::A})
+    if (one.*axis && other.*axis)
+      other.*axis = ErrorModel{mean((one.*axis)->constant, (other.*axis)->constant),
+                               mean((one.*axis)->share, (other.*axis)->share)};
+  if (one.run_factors.size() == other.run_factors.size())
+    for (std::size_t run = 0; run < one.run_factors.size(); ++run)
+      other.run_factors[run] = mean(one.run_factors[run], other.run_factors[run]);
+  other.correlations.first = (one.correlations.first + other.correlations.first) / 2;
+  other.correlations.second = (one.correlations.second + other.correlations.second) / 2;
+  return other;
+}
+
 /// For the minimum of one round: the rest is left to the next.
 SolverOptions options_of_rounds() {
   SolverOptions quick;
@@ -50,7 +65,14 @@ Verdict Fitter::minimum_with_its_errors() {
                                                        : std::vector<double>();
   for (int again = 1;; ++again) {
     if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
+    const std::vector<double> start = x;
     bool described = settle_errors(x);
+    if (!described && off_with_correlations_ && purpose_ != Purpose::tried) {
+      independent_ = true;  // a few outliers can pass for correlated noise, under which the fit wanders off
+      x = start;
+      off_course_.reset();
+      described = settle_errors(x);
+    }
     if (x.empty() && !problem_->parameters().empty()) {  // the model is not defined at the guess
       x = minimum_of(*problem_).best.x;
       described = settle_errors(x);
@@ -119,6 +141,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kLeft = 3e-4;      // of many points: standard errors by which all further rounds would move the fit
   constexpr double kEnough = 1e-4;    // of many points: standard errors to which a round finds the minimum
   constexpr double kNext = 1e-3;      // else: the same, in units of the errors' last relative change
+  constexpr double kSwing = 0.7;          // of the last change: rounds that settle change far less each time
   constexpr double kSurely = 1e-6;
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
@@ -127,7 +150,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   SolverOptions quick = options_of_rounds();
   const double points = static_cast<double>(prepared_.used.size());
   const SolverOptions exactly;
-  double last_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
+  double last_change = 1, earlier_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
   const bool free = !problem_->parameters().empty();
   if (free && x.empty()) return true;
   ErrorModels models;
@@ -181,6 +204,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
                      (round == choosing && !course && models.correlations.any());
     if (off) {
       off_course_ = course;
+      off_with_correlations_ = models.correlations.any();
       if (first)
         errors.expected.clear();  // nothing else has changed
       else
@@ -212,7 +236,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (!found) return true;
     change = std::max({change, std::abs(found->correlations.first - models.correlations.first),
                        std::abs(found->correlations.second - models.correlations.second)});
-    models = *found;
+    const ErrorModels last = std::exchange(models, *found);
+    // Limits of outliers make rounds swing between two answers: halfway they settle.
+    if (round > refining && last_change > kSwing * earlier_change) models = halfway(last, models);
     if (models.T) errors.model_T = models.T;
     if (models.A) errors.model_A = models.A;
     errors.run_factors = models.run_factors;
@@ -227,7 +253,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (many && !errors.correlations.any()) drop({&errors.load_T});
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
-    last_change = change;
+    earlier_change = std::exchange(last_change, change);
     if (change <= (purpose_ == Purpose::tried ? kSettledOfTrial : kSettled) && round > choosing) break;
     if (many) {
       const double before = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
@@ -380,7 +406,7 @@ std::optional<ErrorModels> Fitter::estimated_errors(const NearestPlaces& nearest
   return estimate_errors(data_, used, nearest, leverage,
                          {sigma_T, known(errors.source_T), std::max(kLeastError * T, rounding(errors.step_T))},
                          {sigma_A, known(errors.source_A), std::max(kLeast * A, rounding(errors.step_A))}, before,
-                         stage, own);
+                         stage, own, !independent_);
 }
 
 }  // namespace mixity
