@@ -5,12 +5,14 @@
 #include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "fitting/causes.h"
 #include "fitting/explanations.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
 #include "fitting/pull_off_rows.h"
+#include "solver/descent.h"
 #include "solver/linear_algebra.h"
 #include "solver/refit.h"
 #include "solver/verdict.h"
@@ -255,22 +257,38 @@ Verdict Fitter::find_minimum() {
                                   : find_robust_minimum(std::move(verdict));
 }
 
-/// The standard errors depend on the model: refits until they no longer change. False if they do not converge.
+/// The standard errors depend on the model: refits near the last minimum until they no longer change, then one over the
+/// whole range. False if they do not settle.
 bool Fitter::settle_weights(Verdict& verdict) {
+  constexpr int kMost = 50;
+  constexpr double kSettled = 1e-12, kEnough = 1e-8;  // relative change of a parameter
+  std::vector<double> x = verdict.best.x;
   double change = 0;
-  for (int i = 0; i < 50; ++i) {
-    const std::vector<double> before = verdict.best.x;
-    const ParameterValues at = before.empty() ? prepared_.base : problem_->candidate(before).parameters;
+  bool near = !x.empty();
+  const auto take = [&](const std::vector<double>& next) {
+    const double last = std::exchange(change, 0.0);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      change = std::max(change, std::abs(next[k] - x[k]) / std::max(std::abs(x[k]), 1e-300));
+    x = next;
+    return change <= kSettled || (change <= kEnough && change >= last && last > 0);  // rounding is left
+  };
+  for (int round = 0; round < kMost; ++round) {
+    const ParameterValues at = x.empty() ? prepared_.base : problem_->candidate(x).parameters;
     problem_ = make_problem(data_, options_, prepared_, toughness_weights(data_, options_, prepared_, at));
+    if (near) {
+      const auto minimum = descend(ProblemWithPriors(*problem_), x, solver_);
+      near = minimum && !take(minimum->x);
+      continue;
+    }
     verdict = minimum_of(*problem_);
     if (verdict.best.x.empty()) break;
-    if (before.empty()) continue;
-    change = 0;
-    for (std::size_t k = 0; k < before.size(); ++k)
-      change = std::max(change, std::abs(verdict.best.x[k] - before[k]) / std::max(std::abs(before[k]), 1e-300));
-    if (change <= 1e-12) break;
+    near = !x.empty() && !take(verdict.best.x) && change > kEnough;  // another minimum is lower
+    if (x.empty())
+      x = verdict.best.x;
+    else if (!near)
+      break;
   }
-  if (!(change > 1e-8 && (verdict.status == FitStatus::ok || verdict.status == FitStatus::multimodal))) return true;
+  if (!(change > kEnough && (verdict.status == FitStatus::ok || verdict.status == FitStatus::multimodal))) return true;
   verdict.status = FitStatus::not_converged;
   verdict.message = "the weights, which depend on the parameters, did not settle";
   return false;

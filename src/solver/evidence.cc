@@ -155,6 +155,7 @@ class Posterior {
     constexpr std::size_t kFewest = 9, kDoubtful = 65, kMost = 257;
     constexpr double kLeftOut = 1e-7;  // error of the logarithm: relative error of the density
     constexpr double kScatter = 1e-5;
+    constexpr double kEnough = 1e-3;
     std::optional<Interpolated> before;
     for (std::size_t n = kFewest; n <= kMost; n = 2 * n - 1) {
       Interpolated now(low.u, high.u, n);
@@ -173,7 +174,10 @@ class Posterior {
       // Values that are themselves only known to this are not interpolated better by more of them.
       if (error <= kLeftOut || (error_before <= kScatter && error > 0.2 * error_before && before->size() > kFewest))
         break;
-      // For a smooth density the error is squared each time; if it falls more slowly, it will not converge in time.
+      // For a smooth density the error is squared each time. With kinks, as where a point's nearest place comes to an
+      // end of the law's curve, it falls by a factor, which will not do in time: what is enough for four digits is taken.
+      const double factor = error / error_before, at_most = error * std::pow(factor, std::log2((kMost - 1) / (n - 1)));
+      if (n > kFewest && at_most > kLeftOut && error <= kEnough) break;
       if (n == kMost || (n >= kDoubtful && error > 0.2 * error_before)) return false;
     }
     interpolated_ = std::move(before);

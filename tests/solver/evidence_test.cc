@@ -44,6 +44,27 @@ class Line final : public Problem {
   double bend_;
 };
 
+/// Three points whose residuals are steeper above a kink than below it, as where a nearest place comes to the end of a curve.
+class Kinked final : public Problem {
+ public:
+  std::size_t residual_count() const override { return 3; }
+  const std::vector<FreeParameter>& parameters() const override { return parameters_; }
+  double data_norm() const override { return 1; }
+  bool known_errors() const override { return true; }
+  bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> jacobian) const override {
+    const double slope = x[0] > kKink ? 14 : 10;
+    for (std::size_t i = 0; i < 3; ++i) {
+      r[i] = 10 * (kKink - 0.5) + slope * (x[0] - kKink) + 0.2 * (static_cast<double>(i) - 1);
+      if (!jacobian.empty()) jacobian[i] = slope;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double kKink = 0.53;  // a third of a standard error above the peak
+  std::vector<FreeParameter> parameters_{{"x", -2, 3}};
+};
+
 double cost(const Problem& problem, const std::vector<double>& x) {
   std::vector<double> r(problem.residual_count());
   problem.evaluate(x, r, {});
@@ -138,6 +159,16 @@ TEST(Evidence, OverAConstantWithAPriorIsThatOfTheDoubleIntegral) {
               summed(
                   likelihood, 0, 2, [](double u) { return u; }, 40000),
               2.0 / 40000);
+}
+
+/// Interpolation converges slowly there, and ends where four digits are known.
+TEST(Evidence, OfADensityWithAKinkIsThatOfItsIntegral) {
+  const Kinked problem;
+  const Evidence is = found(problem), expected = summed([&](double x) { return -0.5 * cost(problem, {x}); }, -2, 3,
+                                                        [](double u) { return u; });
+  EXPECT_NEAR(is.log_evidence, expected.log_evidence, 1e-3);
+  EXPECT_NEAR(is.mean, expected.mean, 1e-3 * expected.standard_deviation);
+  EXPECT_NEAR(is.standard_deviation, expected.standard_deviation, 1e-3 * expected.standard_deviation);
 }
 
 TEST(Evidence, OfErrorsOfUnknownSizeIsAveragedOverTheirSize) {

@@ -80,6 +80,14 @@ struct BenzeggaghKenane {
     return {value, {power.value / power.f, q * mode.log_B / power.f}};
   }
 
+  static double log_toughness_alone(const std::array<double, 2>& p, const Mixity<double>& mixity) {
+    if (!(mixity.sin > 0)) return 0;
+    const ModeRatio<double> mode(mixity);
+    if (mode.tiny || p[1] < 0.5) return log_toughness(p, mixity).value;
+    const double power = std::exp(p[1] * mode.log_B), q = (p[0] - 1) * power;
+    return q < -0.5 ? log_toughness(p, mixity).value : std::log1p(q);
+  }
+
   /// tau^2 = (y^2 + T^2)/f - y^2 = T^2 (1 - (f - 1) y^2/T^2)/f, with (f - 1) y^2/T^2 = k (1 - B), k = (r - 1)
   /// B^(eta-1). For k <= 1, the bracket is computed as (1 - k) + k B, which is B for eta = 1 and r = 2, and 1 - k as a
   /// sum of two terms that do not cancel. For k > 1, where 1 - k < 0 would cancel with k B, it is computed as 1 - k (1
