@@ -116,6 +116,14 @@ TEST(ColumnNames, MayNameTheChannelOfARecorder) {
   EXPECT_NE(read("Max 1 Fn [mN],T [mN],A [mm^2]").find("column 'P' is missing"), std::string::npos);
 }
 
+TEST(ColumnNames, MayWriteTheRatioOfToughnessesAsAFraction) {
+  for (const char* ratio : {"Gc/GIc", "G_c/G_Ic [-]", "G_c/G_{Ic}", "G/GIc (1)", "Γ/Γ0", "toughness ratio"}) {
+    const Dataset data = load_text("psi [deg]," + std::string(ratio) + "\n0,1\n30,1.1\n60,1.4\n");
+    ASSERT_EQ(data.converted.size(), 3u) << ratio;
+    EXPECT_NEAR(data.converted[2].ratio, 1.4, 1e-15) << ratio;
+  }
+}
+
 TEST(ColumnNames, MayHaveTheWordForAForceBesideItsSymbol) {
   for (const char* header : {"Fn_Kraft [mN],Ft_Kraft [mN],A [mm^2]", "Kraft Fn [mN],Kraft Ft [mN],A [mm^2]",
                              "Fz force (mN),Fx force (mN),A (mm^2)", "sensor_Fz [mN],sensor_Fx [mN],A [mm^2]"})
