@@ -103,7 +103,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     std::vector<CurvePoint> points;
     const auto add = [&](const Spot& s) {
       const double y = s.w - P_, a = std::sqrt(s.A / pi<double>()), da = s.dA / (2 * pi<double>() * a);
-      const double unit = ellipse_compliance(s.q, Equations::poisson_ratio_), u = unit * s.T / a;
+      const double unit = ellipse_compliance(s.q, Equations::poisson_ratio_).value, u = unit * s.T / a;
       const double square = y * y + s.T * s.T, dy = 2 * a * s.dA / pi<double>();
       const double phi = std::acos(std::clamp((y - 3 * pi<double>()) / S0_, -1.0, 1.0));
       points.push_back({phi, y, s.T, a, s.A, u, std::atan2(s.T, y), square / (6 * pi<double>() * s.w), dy, s.dT, da,

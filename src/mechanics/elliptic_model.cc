@@ -214,14 +214,12 @@ double first_stable_end(const EllipticModel& model, ParameterSpan p, double P) {
 
 namespace {
 
-/// The end of the branch that is stable under load or displacement control.
 std::optional<EllipseBranchEnd> end_under(const EllipticModel& model, ParameterSpan p, double P, Control control) {
-  if (control.kind == Control::Kind::stiffness || !obstacle(model, p, P).empty() || above_pull_off(P) < 0) return {};
-  const auto ends = with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
+  if (!obstacle(model, p, P).empty() || above_pull_off(P) < 0) return {};
+  return with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
     EllipticContact<Law> contact(law, II, III, nu, P);
-    return contact.ends(contact.far_shear());
+    return contact.end_under(control, contact.far_shear());
   });
-  return control.kind == Control::Kind::load ? ends.load : ends.displacement;
 }
 
 }  // namespace

@@ -41,6 +41,12 @@ def test_axes_are_those_of_a_reference_solution():
     assert one == other
 
 
+def test_folds_through_a_spring_are_those_of_a_reference_solution():
+    # 34 digits, as in tests/mechanics/contact_model_ellipses_test.cc
+    fold = mixity.folds("c-ellipse", (0.3, 0.1, 0.5), 3.0, control="stiffness", stiffness=1.0)[0]
+    assert abs(fold["T"] / 23.9062611977273543 - 1) < 1e-12 and abs(fold["u"] / 8.69857996077526116 - 1) < 1e-12
+
+
 def test_a_fit_predicts_axes_with_bands(data):
     fit = mixity.fit(data, "c", shape="ellipse")["c-ellipse"]
     T = np.array([[0.0, 10.0], [20.0, 1e4]])  # mN
