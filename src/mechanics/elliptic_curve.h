@@ -195,14 +195,16 @@ class EllipticCurve : public EllipticEquations<Law> {
   void walk(double T_most) {
     constexpr double kStep = 0.12, kLeast = 1e-9, kFarther = 0.2,
                      kLast = 3.08;  // before T = 0 of the unstable JKR state
-    constexpr double kSteep = 1e3;
-    while (true) {
+    // towards an asymptote cubics fail on chords along which the slope grows more; T is not resolved by finer ones
+    constexpr double kSteep = 1e3, kSteeper = 3, kFine = 1e-4;
+    for (double step = kStep;;) {
       const Spot from = spots_.back();
       std::optional<Mark> to;
-      double step = std::min(kStep, kLast - from.at);
+      step = std::min({4 * step, kStep, kLast - from.at});  // where steps must be short, the next one must, too
       for (; step > kLeast; step *= 0.5) {
         to = mark_at(from.at + step, from.q + step * from.dq, std::max(from.T + step * from.dT, 0.5 * from.T));
-        if (to && std::abs(to->q - from.q) < kFarther) break;
+        const bool bends = to && from.dT > 0 && to->T_slope > kSteeper * from.dT && step > kFine;
+        if (to && std::abs(to->q - from.q) < kFarther && !bends) break;
         to.reset();
       }
       if (!to) {
@@ -310,12 +312,13 @@ class EllipticCurve : public EllipticEquations<Law> {
       at = spot->at;
     }
     double last_at = 0, last_h = 0;
+    bool arrived = false;
     for (int k = 0; k < kMost; ++k) {
-      const Vector x = offset(*spot, to), along{spot->dT / to.sigma_T, spot->dA / to.sigma_A,
-                                                (spot->dq - to.slant * spot->dA / to.A) / to.sigma_q};
+      const Vector x = offset(*spot, to), along = along_at(*spot, to);
       const double h = dot(x, along), speed = square_of(along);
       const bool stalls = k > 0 && std::abs(h) >= 0.5 * std::abs(last_h);
-      if (std::abs(h) <= (stalls ? kRounding : kNear) * std::sqrt(speed)) break;
+      arrived = std::abs(h) <= (stalls ? kRounding : kNear) * std::sqrt(speed);
+      if (arrived) break;
       const double part_now = std::clamp((at - low.at) / width, 0.0, 1.0);
       double bend = speed + x[1] * (by_T ? (high.dA - low.dA) / width : spot->ddA) / to.sigma_A +
                     x[0] * second(part_now, width, low.T, low.dT, high.T, high.dT) / to.sigma_T;
@@ -332,10 +335,30 @@ class EllipticCurve : public EllipticEquations<Law> {
       at = next;
       spot = there;
     }
+    if (!arrived)
+      if (const auto found = bracketed(first, last, to)) return {*found, false, square_of(offset(*found, to))};
     const bool at_end = at == spots_.back().at && by_T == spots_.back().by_T && !by_T && at < 3.0;
     if (!at_end || !pushes_on(*spot, to)) return {*spot, false, square_of(offset(*spot, to))};
     const Spot end = closed_end();
     return {end, true, square_of(offset(end, to))};
+  }
+
+  Vector along_at(const Spot& spot, const EllipticReading& to) const {
+    return {spot.dT / to.sigma_T, spot.dA / to.sigma_A, (spot.dq - to.slant * spot.dA / to.A) / to.sigma_q};
+  }
+
+  /// Where the distance begins to grow between two spots. Null if it does not.
+  std::optional<Spot> bracketed(std::size_t first, std::size_t last, const EllipticReading& to) const {
+    const auto growth = [&](const Spot& spot) { return dot(offset(spot, to), along_at(spot, to)); };
+    for (std::size_t i = first; i < last; ++i) {
+      const Spot &low = spots_[i], &high = spots_[i + 1];
+      if (!(growth(low) < 0 && growth(high) > 0)) continue;
+      const auto at = [&](double x) { return between(low, high, x).value_or(high); };
+      const double root =
+          root_between([&](double x) { return x > low.at ? growth(at(x)) : growth(low); }, low.at, high.at);
+      return at(root);
+    }
+    return std::nullopt;
   }
 
   /// The end of the curve to rounding. Its last spot is within 1e-9 of it.
@@ -348,10 +371,7 @@ class EllipticCurve : public EllipticEquations<Law> {
 
   /// Whether the reading lies beyond the end of the curve.
   bool pushes_on(const Spot& end, const EllipticReading& to) const {
-    const Vector x = offset(end, to);
-    return x[0] * end.dT / to.sigma_T + x[1] * end.dA / to.sigma_A +
-               x[2] * (end.dq - to.slant * end.dA / to.A) / to.sigma_q <
-           0;
+    return dot(offset(end, to), along_at(end, to)) < 0;
   }
 
   std::vector<Spot> spots_;
