@@ -111,10 +111,8 @@ class ContactModel {
   /// parameters are computed together.
   void areas(std::span<const Values> p, Values P, Values T, std::span<double> A,
              std::span<EquilibriumStatus> status) const;
-  /// ln(a/b) of the semi-axes along and across the shear, with the same arguments; 0 for circles, NaN where status[i]
-  /// is not ok.
-  void axis_ratios(std::span<const Values> p, Values P, Values T, std::span<double> q,
-                   std::span<EquilibriumStatus> status) const;
+  /// The semi-axes along and across the shear, with the same arguments; equal for circles, NaN where there is no area.
+  void semi_axes(std::span<const Values> p, Values P, Values T, std::span<double> a, std::span<double> b) const;
   /// The same areas for one set of parameters and one load.
   void areas_at(std::span<const double> p, double P, std::span<const double> T, std::span<double> A,
                 std::span<EquilibriumStatus> status) const;
