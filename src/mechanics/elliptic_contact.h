@@ -127,7 +127,7 @@ class EllipticContact : private EllipticEquations<Law> {
     const double T = std::min(std::max(2 * from.T, 1e-3), T_most);
     const auto found = newton_at(T, edge_load_at(from.phi), from.q);
     if (!found) return false;
-    marks_.push_back({from.phi, found->second, T, 0, std::numeric_limits<double>::infinity()});
+    marks_.push_back({from.phi, found->second, T, 0, std::numeric_limits<double>::infinity(), from.least});
     return true;
   }
 
@@ -154,12 +154,12 @@ class EllipticContact : private EllipticEquations<Law> {
       return state(found->first + P_, found->second, T);
     // near the end Newton's method may leave the branch
     const auto excess = [&](double at) {
-      const auto mark = at > low.phi ? mark_at(at, q, std::max(T, 0.5 * low.T)) : std::optional(low);
+      const auto mark = at > low.phi ? mark_at(at, q, std::max(T, 0.5 * low.T), low.least) : std::optional(low);
       return mark ? mark->T - T : high.T - T;
     };
     if (!(excess(high.phi) > 0)) return state(edge_load_at(high.phi) + P_, high.q, T);  // on the fold, but for rounding
     const double root = root_between(excess, low.phi, high.phi);
-    const auto mark = mark_at(root, q, T);
+    const auto mark = mark_at(root, q, T, low.least);
     return mark ? state(edge_load_at(root) + P_, mark->q, T) : state(edge_load_at(high.phi) + P_, high.q, T);
   }
 

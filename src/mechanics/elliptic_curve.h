@@ -36,6 +36,7 @@ class EllipticCurve : public EllipticEquations<Law> {
   /// A state on the curve, with its derivatives along the curve's parameter: phi, or T towards an asymptote.
   struct Spot {
     double at, w, q, T, A, dT, dA, dq, ddA;
+    double least;  // the smaller Y over w
     bool by_T;
   };
 
@@ -129,7 +130,7 @@ class EllipticCurve : public EllipticEquations<Law> {
   /// The state at another value of the parameter, beside one. Null where there is none.
   std::optional<Spot> beside(const Spot& spot, double step) const {
     if (spot.by_T) return spot_at_T(spot.at + step, spot.w, spot.q + step * spot.dq);
-    const auto mark = mark_at(spot.at + step, spot.q + step * spot.dq, spot.T + step * spot.dT);
+    const auto mark = mark_at(spot.at + step, spot.q + step * spot.dq, spot.T + step * spot.dT, spot.least);
     return mark ? std::optional(spot_of(*mark)) : std::nullopt;
   }
   /// A step of the parameter over which the curve hardly bends.
@@ -154,6 +155,7 @@ class EllipticCurve : public EllipticEquations<Law> {
             per * w_slope,
             mark.q_slope,
             per * w_bend - per / (3 * w) * w_slope * w_slope,
+            mark.least,
             false};
   }
 
@@ -165,7 +167,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     const Residuals r = residuals(y, there, T * T);
     const auto [w_S, q_S] = Equations::solved_at_S(r, r.S);
     const double A = area_from_edge_load(y, P_), dw = -2 * T * w_S, dq = -2 * T * q_S;
-    return Spot{T, y + P_, there, T, A, 1, 2 * A / (3 * (y + P_)) * dw, dq, 0, true};
+    return Spot{T, y + P_, there, T, A, 1, 2 * A / (3 * (y + P_)) * dw, dq, 0, r.least, true};
   }
 
   /// Between two spots.
@@ -173,7 +175,8 @@ class EllipticCurve : public EllipticEquations<Law> {
     const double width = high.at - low.at, x = (at - low.at) / width,
                  q = cubic(x, width, low.q, low.dq, high.q, high.dq);
     if (high.by_T) return spot_at_T(at, low.w + x * (high.w - low.w), q);
-    const auto mark = mark_at(at, q, std::max(cubic(x, width, low.T, low.dT, high.T, high.dT), 0.25 * high.T));
+    const auto mark =
+        mark_at(at, q, std::max(cubic(x, width, low.T, low.dT, high.T, high.dT), 0.25 * high.T), low.least);
     return mark ? std::optional(spot_of(*mark)) : std::nullopt;
   }
 
@@ -182,7 +185,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     constexpr double kFirst = 0.12;
     const Mark first = Equations::first_mark();
     for (double phi = kFirst; phi > 1e-3; phi *= 0.5) {
-      const auto mark = mark_at(phi, 0, phi * first.T_slope);
+      const auto mark = mark_at(phi, 0, phi * first.T_slope, first.least);
       const auto start = mark && mark->T_slope > 0 ? spot_at_T(0, spots_[0].w, 0) : std::nullopt,
                  end = start ? spot_at_T(mark->T, edge_load_at(phi) + P_, mark->q) : std::nullopt;
       if (!end) continue;
@@ -202,7 +205,8 @@ class EllipticCurve : public EllipticEquations<Law> {
       std::optional<Mark> to;
       step = std::min({4 * step, kStep, kLast - from.at});  // where steps must be short, the next one must, too
       for (; step > kLeast; step *= 0.5) {
-        to = mark_at(from.at + step, from.q + step * from.dq, std::max(from.T + step * from.dT, 0.5 * from.T));
+        to = mark_at(from.at + step, from.q + step * from.dq, std::max(from.T + step * from.dT, 0.5 * from.T),
+                     from.least);
         const bool bends = to && from.dT > 0 && to->T_slope > kSteeper * from.dT && step > kFine;
         if (to && std::abs(to->q - from.q) < kFarther && !bends) break;
         to.reset();
@@ -299,7 +303,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     if (!(width > 0)) return {low, false, square_of(a)};
     const auto solved = [&](double at, double w, double q, double T) -> std::optional<Spot> {
       if (by_T) return spot_at_T(at, w, q);
-      const auto mark = mark_at(at, q, T);
+      const auto mark = mark_at(at, q, T, low.least);
       return mark ? std::optional(spot_of(*mark)) : std::nullopt;
     };
     const double x0 = nearest_on_cubic(low, high, width, part, to);
@@ -365,7 +369,8 @@ class EllipticCurve : public EllipticEquations<Law> {
   Spot closed_end() const {
     Spot end = spots_.back();
     for (double step = 1e-9; step > 1e-16; step *= 0.5)
-      if (const auto mark = mark_at(end.at + step, end.q + step * end.dq, end.T + step * end.dT)) end = spot_of(*mark);
+      if (const auto mark = mark_at(end.at + step, end.q + step * end.dq, end.T + step * end.dT, end.least))
+        end = spot_of(*mark);
     return end;
   }
 

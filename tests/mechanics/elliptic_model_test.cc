@@ -159,6 +159,20 @@ TEST(EllipticModel, FindsTheNearestStateTowardsAnAsymptote) {
     for (const double P : {2.0, 16.0}) finds_the_nearest("a-ellipse", p, P, 0.006, 25);
 }
 
+/// Beside lambda = 1 the edge of law a stays nearly closed at one end of the contact while T rises again. A state there
+/// as steps of 2e-4 in phi have it, in six digits.
+TEST(EllipticModel, FollowsACurveAlongWhichAnEdgeIsNearlyClosed) {
+  const ContactModel of = model("a-ellipse");
+  const ParameterValues p{1 - 0x1p-53, 1 - 0x1p-53, 0.5};
+  const double P = 1.965872454195172;
+  EXPECT_LT(of.curve(p, P, {.T_most = 40.0}).points.size(), 1000u);  // not 20,000
+  // the curve is followed as far as the largest T that was measured
+  const Readings two{{P, P}, {6.82818, 12}, {5.81693, 4}, {1e-3, 1}, {1e-3, 1}, {0.282872, 0}, {1e-3, 1}, {0, 0}};
+  const Distances found(of, p, two.points(true));
+  ASSERT_TRUE(found.good);
+  EXPECT_LT(std::hypot(found.r[0], found.axes_r[0]), 0.02);  // six digits of T, in standard errors
+}
+
 /// Against central differences, of each residual by itself.
 TEST(EllipticModel, HasTheDerivativesOfItsResiduals) {
   for (const auto& [key, p] : std::vector<std::pair<const char*, ParameterValues>>{
