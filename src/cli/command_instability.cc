@@ -26,14 +26,7 @@ std::vector<Control> controls(const std::optional<Contact>& contact) {
   return list;
 }
 
-void refuse_stiffness(const ContactModel& model) {
-  if (model.is_elliptic() && is_set("stiffness"))
-    throw UsageError(
-        "--stiffness: of elliptic contacts the folds under load and displacement control are known; leave it out");
-}
-
 InstabilityReport of_flags(const ContactModel& model) {
-  refuse_stiffness(model);
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits shown = output_units(model.is_elliptic());
   const Load load = load_from(flag_of_loads("load"), shown);
@@ -68,7 +61,6 @@ InstabilityReport of_flags(const ContactModel& model) {
 InstabilityReport of_fit(const FittedContact& fitted) {
   const Dataset& data = fitted.data();
   const FitResult& fit = fitted.fit();
-  refuse_stiffness(ContactModel::find(fit.model).value());
   InstabilityReport report{fit.model, {}, data.name + ", status " + std::string(to_string(fit.status))};
   if (data.contact)
     report.units = {data.display.force,

@@ -125,7 +125,7 @@ void predict_ellipse(const ContactModel& model) {
     if (state.status == EquilibriumStatus::ok)
       print_numbers({state.a * units.length_scale, state.b * units.length_scale,
                      pi<double>() * state.a * state.b * units.area_scale,
-                     T[i] * ellipse_compliance(std::log(state.a / state.b), nu) / std::sqrt(state.a * state.b) *
+                     T[i] * ellipse_compliance(std::log(state.a / state.b), nu).value / std::sqrt(state.a * state.b) *
                          units.displacement_scale,
                      state.psi_II, state.psi_III});
     else
@@ -147,7 +147,7 @@ void predict_ellipse(const ContactModel& model) {
          ": the edge closes or slips there, and the equations end");
     return;
   }
-  const auto later = model.ellipse_ends(p, load.dimensionless).displacement;
+  const auto later = model.ellipse_end(p, load.dimensionless, {Control::Kind::displacement});
   warn("the contact jumps at " + at(*found.end) + (later ? "; under displacement control at " + at(*later) : ""));
 }
 

@@ -45,7 +45,9 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
       if (flag == "load" && plan.loads.size() > 1) throw not_one_number(flag);
     }
   else if (needs_loads)
-    throw UsageError("flag '--loads' is missing: the normal load of each run, \"1,2,4 mN\"");
+    throw UsageError(plan.constants.control == NormalControl::approach
+                         ? "flag '--loads' is missing: the approach held in each run, \"3,8,15 um\""
+                         : "flag '--loads' is missing: the normal load of each run, \"1,2,4 mN\"");
   if (is_set("points")) plan.points = count_from("points", 3);
   require_affordable(plan, cost);
   const auto reach = parse_quantity(value_of("reach"));
@@ -53,8 +55,6 @@ Plan plan_from_flags(bool needs_loads, const PointCost& cost) {
   plan.sigma_T = error_from("sigma_T");
   plan.sigma_A = error_from("sigma_A");
   Plan whole = plan;
-  if (!needs_loads && plan.constants.control == NormalControl::approach)
-    throw UsageError("--control=approach: held loads are planned here; experiments at held approaches are simulated");
   if (whole.loads.empty()) whole.loads = {0};  // a dummy load for the check, which needs one
   if (const std::string problem = problem_of(whole); !problem.empty()) throw UsageError(problem);
   return plan;

@@ -30,7 +30,7 @@ void add_areas(const ContactModel& model, std::span<const double> p, std::span<c
   const Equilibria found = model.equilibria(p, load, shears);
   for (std::size_t i = 0; i < shears.size(); ++i) {
     if (found.at[i].status == EquilibriumStatus::ok) {
-      areas.push_back({PredictedArea::State::equilibrium, measured(i, found.at[i].y)});
+      areas.push_back({PredictedArea::State::equilibrium, measured(i, found.at[i].y), found.at[i].q});
       continue;
     }
     areas.push_back({shears[i] <= (1 + kFoldWidth) * found.last->T_bottom ? PredictedArea::State::equilibrium

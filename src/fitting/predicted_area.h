@@ -1,6 +1,7 @@
 // Predicted areas at measured loads, and their agreement with the data.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,7 @@ Candidate fitted_candidate(const Dataset& data, const ContactModel& model, const
 struct PredictedArea {
   enum class State { equilibrium, beyond_fold, below_pull_off, undefined } state;
   double value;
+  double q = std::numeric_limits<double>::quiet_NaN();  // ln(a/b), 0 for circles; known before the last equilibrium
 };
 
 /// At measured loads; consecutive points with the same load are computed together.

@@ -86,7 +86,8 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
     if (found.at[i].status != EquilibriumStatus::ok) continue;
     const ContactState state = model.state(P, shears[i], found.at[i].y);
     const double sign = data.sign_of_shear(run);
-    states.push_back({sign * scale.measured_shear(sign * state.T), scale.measured_area(state.A), state.psi, state.f});
+    states.push_back(
+        {sign * scale.measured_shear(sign * state.T), scale.measured_area(state.A), state.psi, state.f, found.at[i].q});
   }
   return states;
 }
@@ -94,19 +95,9 @@ std::vector<StableState> stable_states(const Dataset& data, const FitOptions& op
 std::vector<std::pair<double, double>> drawn_axes(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                                   std::size_t run, std::size_t points) {
   std::vector<std::pair<double, double>> drawn;
-  const ContactModel model = model_of(data, fit);
-  if (!model.is_elliptic()) return drawn;
-  std::vector<double> T, as_measured;
-  const Candidate candidate = fitted_candidate(data, model, fit, options);
-  const ConstantsScale scale(candidate.constants);
-  for (const StableState& state : stable_states(data, options, fit, run, points)) {
-    as_measured.push_back(state.T);
-    T.push_back(std::abs(scale.shear(state.T)));
-  }
-  const Ellipses found = model.ellipses(*model.ends_of(candidate.parameters), scale.load(data.curve_loads[run]), T);
-  for (std::size_t i = 0; i < T.size(); ++i)
-    if (found.at[i].status == EquilibriumStatus::ok)
-      drawn.emplace_back(std::abs(as_measured[i]), found.at[i].a / found.at[i].b);
+  if (!model_of(data, fit).is_elliptic()) return drawn;
+  for (const StableState& state : stable_states(data, options, fit, run, points))
+    drawn.emplace_back(std::abs(state.T), std::exp(state.q));
   return drawn;
 }
 

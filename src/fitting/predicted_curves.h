@@ -44,6 +44,7 @@ DrawnCurve drawn_curve(const Dataset& data, const FitOptions& options, const Fit
 /// the run, denser towards the fold. T and A as measured, dimensionless; empty where there is no contact.
 struct StableState {
   double T, A, psi, f;
+  double q;  // ln(a/b), 0 for circles
 };
 std::vector<StableState> stable_states(const Dataset& data, const FitOptions& options, const FitResult& fit,
                                        std::size_t run, std::size_t points);

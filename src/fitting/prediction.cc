@@ -109,21 +109,6 @@ std::optional<ClosingPrediction> closing_at(const Dataset& data, const ContactMo
                            {scale.measured_area(pi<double>() * end->a * end->b)}};
 }
 
-/// ln(a/b) of an elliptic contact at these measured loads; NaN where there is none.
-std::vector<double> axes_at(const ContactModel& model, const Candidate& candidate, std::span<const double> P,
-                            std::span<const double> T) {
-  const ConstantsScale scale(candidate.constants);
-  std::vector<double> q(P.size(), std::numeric_limits<double>::quiet_NaN()), shears;
-  for (std::size_t begin = 0; begin < P.size(); begin += shears.size()) {
-    shears.clear();
-    for (std::size_t i = begin; i < P.size() && P[i] == P[begin]; ++i) shears.push_back(std::abs(scale.shear(T[i])));
-    const Ellipses found = model.ellipses(*model.ends_of(candidate.parameters), scale.load(P[begin]), shears);
-    for (std::size_t i = 0; i < shears.size(); ++i)
-      if (found.at[i].status == EquilibriumStatus::ok) q[begin + i] = std::log(found.at[i].a / found.at[i].b);
-  }
-  return q;
-}
-
 }  // namespace
 
 std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResult& fit, const FitOptions& options,
@@ -136,15 +121,15 @@ std::vector<AreaPrediction> predict_areas_of(const Dataset& data, const FitResul
   const std::size_t n = P.size();
   const std::vector<Derived> numbers = propagate(fit, [&](const FitResult& with) {
     std::vector<std::optional<double>> values;
-    for (const PredictedArea& area : at_all(with))
+    const std::vector<PredictedArea> areas = at_all(with);
+    for (const PredictedArea& area : areas)
       values.push_back(area.state == PredictedArea::State::equilibrium ? std::optional(area.value) : std::nullopt);
     if (!model.is_elliptic()) return values;
-    const std::vector<double> q = axes_at(model, fitted_candidate(data, model, with, options), P, T);
     values.resize(3 * n);
     for (std::size_t i = 0; i < n; ++i) {
-      if (!values[i] || !std::isfinite(q[i])) continue;
-      values[n + i] = std::sqrt(*values[i] / pi<double>()) * std::exp(0.5 * q[i]);
-      values[2 * n + i] = std::sqrt(*values[i] / pi<double>()) * std::exp(-0.5 * q[i]);
+      if (!values[i] || !std::isfinite(areas[i].q)) continue;
+      values[n + i] = std::sqrt(*values[i] / pi<double>()) * std::exp(0.5 * areas[i].q);
+      values[2 * n + i] = std::sqrt(*values[i] / pi<double>()) * std::exp(-0.5 * areas[i].q);
     }
     return values;
   });

@@ -111,10 +111,8 @@ class ContactModel {
   /// parameters are computed together.
   void areas(std::span<const Values> p, Values P, Values T, std::span<double> A,
              std::span<EquilibriumStatus> status) const;
-  /// ln(a/b) of the semi-axes along and across the shear, with the same arguments; 0 for circles, NaN where status[i] is
-  /// not ok.
-  void axis_ratios(std::span<const Values> p, Values P, Values T, std::span<double> q,
-                   std::span<EquilibriumStatus> status) const;
+  /// The semi-axes along and across the shear, with the same arguments; equal for circles, NaN where there is no area.
+  void semi_axes(std::span<const Values> p, Values P, Values T, std::span<double> a, std::span<double> b) const;
   /// The same areas for one set of parameters and one load.
   void areas_at(std::span<const double> p, double P, std::span<const double> T, std::span<double> A,
                 std::span<EquilibriumStatus> status) const;
@@ -140,8 +138,7 @@ class ContactModel {
   double first_stable_end(std::span<const double> p, double P) const;
   /// All folds in order along the curve from T = 0. T is accurate to 1e-13, A and u to 1e-12.
   std::vector<Fold> folds(std::span<const double> p, double P, Control control) const;
-  /// Where the edge of an elliptic contact closes before a fold under load or displacement control. Null if it does not,
-  /// and for circles.
+  /// Where the edge of an elliptic contact closes before a fold under a control. Null if it does not, and for circles.
   std::optional<EllipseBranchEnd> closing(std::span<const double> p, double P, Control control) const;
   /// The regime for the strength tau0 > 0, or for unlimited strength if null. Null where there is no contact.
   std::optional<RegimeReport> regime(std::span<const double> p, double P, std::optional<double> tau0 = {}) const;
@@ -153,10 +150,9 @@ class ContactModel {
   /// no_equilibrium beyond its end, or below pull-off; invalid for parameters out of range, a Poisson's ratio outside
   /// [0, 1/2], and laws whose tau does not grow with shear. Relative error of the axes below 1e-13 away from a fold.
   Ellipses ellipses(const EndParameters& parameters, double P, std::span<const double> T) const;
-  /// Where its branches end, up to ten times the circle's natural scale of T. T and axes of a fold are accurate to 1e-8
-  /// (T under load control to 1e-13).
-  EllipseEnds ellipse_ends(const EndParameters& parameters, double P) const;
-
+  /// Where the branch that is stable under a control ends, up to ten times the circle's natural scale of T. Null where
+  /// it goes on. At a fold T, u and the area are accurate to 1e-12.
+  std::optional<EllipseBranchEnd> ellipse_end(const EndParameters& parameters, double P, Control control) const;
   /// Derivatives of these states, which must be those of `ellipses` at the same arguments.
   EllipseSlopes ellipse_slopes(const EndParameters& parameters, double P, std::span<const double> T,
                                std::span<const EllipseState> at) const;

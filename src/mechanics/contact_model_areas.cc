@@ -87,12 +87,14 @@ void ContactModel::areas(std::span<const Values> parameters, Values P, Values T,
   });
 }
 
-void ContactModel::axis_ratios(std::span<const Values> parameters, Values P, Values T, std::span<double> q,
-                               std::span<EquilibriumStatus> status) const {
+void ContactModel::semi_axes(std::span<const Values> parameters, Values P, Values T, std::span<double> a,
+                             std::span<double> b) const {
   if (law_->ellipse && parameters.size() == law_->parameters.size())
-    return elliptic::axis_ratios(*law_->ellipse, parameters, P, T, q, status);
-  areas(parameters, P, T, q, status);
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] = status[i] == EquilibriumStatus::ok ? 0 : kNaN;
+    return elliptic::semi_axes(*law_->ellipse, parameters, P, T, a, b);
+  std::vector<EquilibriumStatus> status(a.size());
+  areas(parameters, P, T, a, status);
+  for (double& one : a) one = radius_from_area(one);
+  std::copy(a.begin(), a.end(), b.begin());
 }
 
 void ContactModel::areas_at(ParameterSpan p, double P, std::span<const double> T, std::span<double> A,

@@ -51,13 +51,14 @@ Ellipses ContactModel::ellipses(const EndParameters& parameters, double P, std::
   return result;
 }
 
-EllipseEnds ContactModel::ellipse_ends(const EndParameters& parameters, double P) const {
-  if (is_elliptic()) return circle().ellipse_ends(parameters, P);
-  EllipseEnds result;
+std::optional<EllipseBranchEnd> ContactModel::ellipse_end(const EndParameters& parameters, double P,
+                                                          Control control) const {
+  if (is_elliptic()) return circle().ellipse_end(parameters, P, control);
+  std::optional<EllipseBranchEnd> result;
   with_ellipse(*this, *law_, parameters, P, [&]<class Law>(const Law& law, const auto& mode_II, const auto& mode_III) {
     if (above_pull_off(P) < 0) return;
     EllipticContact<Law> contact(law, mode_II, mode_III, parameters.poisson_ratio, P);
-    result = contact.ends(contact.far_shear());
+    result = contact.end_under(control, contact.far_shear());
   });
   return result;
 }

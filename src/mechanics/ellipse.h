@@ -21,8 +21,8 @@
 
 namespace mixity {
 
-/// What follows a law's key in that of its model of elliptic contacts: with parameters of its own for each mode, and with
-/// the same for both.
+/// What follows a law's key in that of its model of elliptic contacts: with parameters of its own for each mode, and
+/// with the same for both.
 inline constexpr std::string_view kEllipse = "-ellipse", kEqualEllipse = "-ellipse-equal";
 
 /// The last parameter of each model of elliptic contacts.
@@ -47,7 +47,7 @@ struct EllipseSlopes {
   std::vector<double> a, b;  // [points x (3 + 2 parameters)]
 };
 
-/// Where the stable branch that starts at T = 0 ends: at a fold of the controlled quantity, T or u, or where K_I
+/// Where the stable branch that starts at T = 0 ends: at a fold of the controlled quantity (Control), or where K_I
 /// reaches 0 at the ends of an axis, so that the edge closes or slips there; the equations do not hold beyond.
 enum class EllipseEnd : unsigned char { fold, closes_along, closes_across };
 inline std::string_view to_string(EllipseEnd end) {
@@ -62,12 +62,6 @@ struct EllipseBranchEnd {
 struct Ellipses {
   std::vector<EllipseState> at;           // in the order of the T
   std::optional<EllipseBranchEnd> end{};  // set if it was asked for or if a T lies beyond it
-};
-
-/// The ends of the branch that is stable under load control, and of that under displacement control. Null where the
-/// branch goes on beyond every T that was looked at.
-struct EllipseEnds {
-  std::optional<EllipseBranchEnd> load, displacement;
 };
 
 }  // namespace mixity

@@ -16,6 +16,9 @@ struct Potentials {
   double M10, M01, M11, M21;
 };
 
+/// Of z, the square of the eccentricity: beyond, the differences below lose less than a digit.
+constexpr double kNearCircle = 0.25;
+
 /// A^(j+k+1/2) M_jk = 2F1(k + 1/2, j + k + 1/2; j + k + 1; z) times the integral of the circle, z = 1 - B/A.
 double by_series(double j, double k, double of_circle, double z) {
   double term = of_circle, sum = term;
@@ -27,9 +30,8 @@ double by_series(double j, double k, double of_circle, double z) {
 }
 
 Potentials potentials(double q, double A, double B) {
-  constexpr double kNear = 0.25;  // of z: beyond, the differences below lose less than a digit
   const double z = -std::expm1(-2 * q), half_pi = 0.5 * pi<double>();
-  if (z < kNear) {
+  if (z < kNearCircle) {
     const double one = B * std::sqrt(B);  // A^(-3/2)
     return {by_series(1, 0, half_pi, z) * one, by_series(0, 1, half_pi, z) * one,
             by_series(1, 1, 0.75 * half_pi, z) * one * B, by_series(2, 1, 0.625 * half_pi, z) * one * B * B};
@@ -124,13 +126,19 @@ EllipsePressure ellipse_pressure(double q) {
   return std::abs(q) <= PressureTable::kReach ? table.at(q) : directly(q);
 }
 
-double ellipse_compliance(double q, double nu) {
-  // along a ray at the angle theta the traction integrates to pi/2 of the edge's distance R(theta)
-  const double square = -std::expm1(-2 * std::abs(q));  // of the eccentricity
-  const double all = boost::math::ellint_1(std::sqrt(square)),
-               of_long_axis = boost::math::ellint_rd(0.0, 1 - square, 1.0) / 3;  // cos^2 from the long axis
-  const double along = q >= 0 ? of_long_axis : all - of_long_axis;
-  return std::exp(-0.5 * std::abs(q)) / (pi<double>() * (1 - nu)) * ((1 - nu) * all + nu * along);
+EllipseCompliance ellipse_compliance(double q, double nu) {
+  // along a ray at the angle theta the traction integrates to pi/2 of the edge's distance R(theta): K(z) for all, D(z)
+  // = (K - E)/z for the part with cos^2 from the long axis; dK/dz = (K - D)/(2 (1 - z))
+  const double z = -std::expm1(-2 * std::abs(q)), rest = 1 - z;  // z: square of the eccentricity
+  const double all = boost::math::ellint_1(std::sqrt(z)), of_long_axis = boost::math::ellint_rd(0.0, rest, 1.0) / 3;
+  const double all_z = (all - of_long_axis) / (2 * rest),
+               long_z = z < kNearCircle ? by_series(1, 1, 3 * pi<double>() / 32, z)
+                                        : ((all - of_long_axis) / rest - of_long_axis) / (2 * z);
+  const double along = q >= 0 ? of_long_axis : all - of_long_axis, along_z = q >= 0 ? long_z : all_z - long_z;
+  const double unit = std::exp(-0.5 * std::abs(q)) / (pi<double>() * (1 - nu)),
+               value = unit * ((1 - nu) * all + nu * along),
+               outwards = 2 * rest * unit * ((1 - nu) * all_z + nu * along_z) - 0.5 * value;
+  return {value, q >= 0 ? outwards : -outwards};
 }
 
 }  // namespace mixity

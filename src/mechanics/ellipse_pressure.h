@@ -22,9 +22,12 @@ struct EllipsePressure {
 /// Relative error below 1e-14 for |q| <= 5. Carlson's elliptic integrals, or where their differences cancel a series.
 EllipsePressure ellipse_pressure(double q);
 
-/// u sqrt(a b)/T for the traction of a uniform tangential displacement u along a: 3/4 for a circle at nu = 1/2. From
-/// Cerruti's solution at the centre, the integral of the traction times ((1 - nu)/r + nu x^2/r^3)/(2 pi G) with G = (1
-/// - nu)/2 in units of E*. `poisson_ratio`: nu.
-double ellipse_compliance(double q, double poisson_ratio);
+/// u sqrt(a b)/T and its derivative in q, for the traction of a uniform tangential displacement u along a: 3/4 for a
+/// circle at nu = 1/2. From Cerruti's solution at the centre, the integral of the traction times ((1 - nu)/r + nu
+/// x^2/r^3)/(2 pi G) with G = (1 - nu)/2 in units of E*. `poisson_ratio`: nu.
+struct EllipseCompliance {
+  double value, slope;
+};
+EllipseCompliance ellipse_compliance(double q, double poisson_ratio);
 
 }  // namespace mixity

@@ -50,34 +50,34 @@ class EllipticContact : private EllipticEquations<Law> {
     return end_;
   }
 
-  EllipseEnds ends(double T_most) {
-    EllipseEnds found{end(T_most), {}};
-    if (!found.load || found.load->kind != EllipseEnd::fold) {  // u grows as long as T does
-      found.displacement = found.load;
-      return found;
-    }
+  /// The end of the branch that is stable under this control; null as for `end`.
+  std::optional<EllipseBranchEnd> end_under(Control control, double T_most) {
+    std::optional<EllipseBranchEnd> found = end(T_most);
+    // u grows as long as T does
+    if (control.kind == Control::Kind::load || !found || found->kind != EllipseEnd::fold) return found;
+    const auto slope = [&](const Mark& mark) { return driving_slope(mark, control); };
     Mark last = marks_.back();
-    while (!found.displacement)
-      if (const auto next = beyond(
-              last, [this](const Mark& mark) { return displacement_slope(mark); }, found.displacement))
-        last = *next;
+    for (found.reset(); !found;)
+      if (const auto next = beyond(last, slope, found)) last = *next;
     return found;
   }
 
  private:
-  /// d(u)/d(phi), with the shape's derivative from differences: its error moves an extremum of u by 1e-9.
-  double displacement_slope(const Mark& mark) const {
-    constexpr double kStep = 1e-5;
+  /// d(u)/d(phi), or that of u + T/k weighted by k/(1 + k), which is finite for any k.
+  double driving_slope(const Mark& mark, Control control) const {
     const double w = edge_load_at(mark.phi) + P_, w_slope = -S0_ * std::sin(mark.phi);
-    const auto compliance = [&](double q) { return ellipse_compliance(q, poisson_ratio_); };
-    const double at = compliance(mark.q),
-                 of_q = (compliance(mark.q + kStep) - compliance(mark.q - kStep)) / (2 * kStep * at);
-    return mark.T_slope / mark.T + of_q * mark.q_slope - w_slope / (3 * w);
+    const EllipseCompliance unit = ellipse_compliance(mark.q, poisson_ratio_);
+    const double of_u =
+        (mark.T_slope * unit.value + mark.T * (unit.slope * mark.q_slope - unit.value * w_slope / (3 * w))) /
+        std::cbrt(0.75 * w);
+    if (control.kind == Control::Kind::displacement) return of_u;
+    return (control.stiffness * of_u + mark.T_slope) / (1 + control.stiffness);
   }
 
   EllipseBranchEnd end_at(EllipseEnd kind, const Mark& mark) const {
     const EllipseState at = state(edge_load_at(mark.phi) + P_, mark.q, mark.T);
-    return {kind, mark.T, mark.T * ellipse_compliance(mark.q, poisson_ratio_) / std::sqrt(at.a * at.b), at.a, at.b};
+    return {kind, mark.T, mark.T * ellipse_compliance(mark.q, poisson_ratio_).value / std::sqrt(at.a * at.b), at.a,
+            at.b};
   }
 
   /// The next mark on the curve as long as the controlled quantity, of which `slope_of` has the sign of the slope,
@@ -127,7 +127,7 @@ class EllipticContact : private EllipticEquations<Law> {
     const double T = std::min(std::max(2 * from.T, 1e-3), T_most);
     const auto found = newton_at(T, edge_load_at(from.phi), from.q);
     if (!found) return false;
-    marks_.push_back({from.phi, found->second, T, 0, std::numeric_limits<double>::infinity()});
+    marks_.push_back({from.phi, found->second, T, 0, std::numeric_limits<double>::infinity(), from.least});
     return true;
   }
 
@@ -154,12 +154,12 @@ class EllipticContact : private EllipticEquations<Law> {
       return state(found->first + P_, found->second, T);
     // near the end Newton's method may leave the branch
     const auto excess = [&](double at) {
-      const auto mark = at > low.phi ? mark_at(at, q, std::max(T, 0.5 * low.T)) : std::optional(low);
+      const auto mark = at > low.phi ? mark_at(at, q, std::max(T, 0.5 * low.T), low.least) : std::optional(low);
       return mark ? mark->T - T : high.T - T;
     };
     if (!(excess(high.phi) > 0)) return state(edge_load_at(high.phi) + P_, high.q, T);  // on the fold, but for rounding
     const double root = root_between(excess, low.phi, high.phi);
-    const auto mark = mark_at(root, q, T);
+    const auto mark = mark_at(root, q, T, low.least);
     return mark ? state(edge_load_at(root) + P_, mark->q, T) : state(edge_load_at(high.phi) + P_, high.q, T);
   }
 

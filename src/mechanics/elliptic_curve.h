@@ -36,6 +36,7 @@ class EllipticCurve : public EllipticEquations<Law> {
   /// A state on the curve, with its derivatives along the curve's parameter: phi, or T towards an asymptote.
   struct Spot {
     double at, w, q, T, A, dT, dA, dq, ddA;
+    double least;  // the smaller Y over w
     bool by_T;
   };
 
@@ -103,7 +104,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     std::vector<CurvePoint> points;
     const auto add = [&](const Spot& s) {
       const double y = s.w - P_, a = std::sqrt(s.A / pi<double>()), da = s.dA / (2 * pi<double>() * a);
-      const double unit = ellipse_compliance(s.q, Equations::poisson_ratio_), u = unit * s.T / a;
+      const double unit = ellipse_compliance(s.q, Equations::poisson_ratio_).value, u = unit * s.T / a;
       const double square = y * y + s.T * s.T, dy = 2 * a * s.dA / pi<double>();
       const double phi = std::acos(std::clamp((y - 3 * pi<double>()) / S0_, -1.0, 1.0));
       points.push_back({phi, y, s.T, a, s.A, u, std::atan2(s.T, y), square / (6 * pi<double>() * s.w), dy, s.dT, da,
@@ -129,7 +130,7 @@ class EllipticCurve : public EllipticEquations<Law> {
   /// The state at another value of the parameter, beside one. Null where there is none.
   std::optional<Spot> beside(const Spot& spot, double step) const {
     if (spot.by_T) return spot_at_T(spot.at + step, spot.w, spot.q + step * spot.dq);
-    const auto mark = mark_at(spot.at + step, spot.q + step * spot.dq, spot.T + step * spot.dT);
+    const auto mark = mark_at(spot.at + step, spot.q + step * spot.dq, spot.T + step * spot.dT, spot.least);
     return mark ? std::optional(spot_of(*mark)) : std::nullopt;
   }
   /// A step of the parameter over which the curve hardly bends.
@@ -154,6 +155,7 @@ class EllipticCurve : public EllipticEquations<Law> {
             per * w_slope,
             mark.q_slope,
             per * w_bend - per / (3 * w) * w_slope * w_slope,
+            mark.least,
             false};
   }
 
@@ -165,7 +167,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     const Residuals r = residuals(y, there, T * T);
     const auto [w_S, q_S] = Equations::solved_at_S(r, r.S);
     const double A = area_from_edge_load(y, P_), dw = -2 * T * w_S, dq = -2 * T * q_S;
-    return Spot{T, y + P_, there, T, A, 1, 2 * A / (3 * (y + P_)) * dw, dq, 0, true};
+    return Spot{T, y + P_, there, T, A, 1, 2 * A / (3 * (y + P_)) * dw, dq, 0, r.least, true};
   }
 
   /// Between two spots.
@@ -173,7 +175,8 @@ class EllipticCurve : public EllipticEquations<Law> {
     const double width = high.at - low.at, x = (at - low.at) / width,
                  q = cubic(x, width, low.q, low.dq, high.q, high.dq);
     if (high.by_T) return spot_at_T(at, low.w + x * (high.w - low.w), q);
-    const auto mark = mark_at(at, q, std::max(cubic(x, width, low.T, low.dT, high.T, high.dT), 0.25 * high.T));
+    const auto mark =
+        mark_at(at, q, std::max(cubic(x, width, low.T, low.dT, high.T, high.dT), 0.25 * high.T), low.least);
     return mark ? std::optional(spot_of(*mark)) : std::nullopt;
   }
 
@@ -182,7 +185,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     constexpr double kFirst = 0.12;
     const Mark first = Equations::first_mark();
     for (double phi = kFirst; phi > 1e-3; phi *= 0.5) {
-      const auto mark = mark_at(phi, 0, phi * first.T_slope);
+      const auto mark = mark_at(phi, 0, phi * first.T_slope, first.least);
       const auto start = mark && mark->T_slope > 0 ? spot_at_T(0, spots_[0].w, 0) : std::nullopt,
                  end = start ? spot_at_T(mark->T, edge_load_at(phi) + P_, mark->q) : std::nullopt;
       if (!end) continue;
@@ -195,14 +198,17 @@ class EllipticCurve : public EllipticEquations<Law> {
   void walk(double T_most) {
     constexpr double kStep = 0.12, kLeast = 1e-9, kFarther = 0.2,
                      kLast = 3.08;  // before T = 0 of the unstable JKR state
-    constexpr double kSteep = 1e3;
-    while (true) {
+    // towards an asymptote cubics fail on chords along which the slope grows more; T is not resolved by finer ones
+    constexpr double kSteep = 1e3, kSteeper = 3, kFine = 1e-4;
+    for (double step = kStep;;) {
       const Spot from = spots_.back();
       std::optional<Mark> to;
-      double step = std::min(kStep, kLast - from.at);
+      step = std::min({4 * step, kStep, kLast - from.at});  // where steps must be short, the next one must, too
       for (; step > kLeast; step *= 0.5) {
-        to = mark_at(from.at + step, from.q + step * from.dq, std::max(from.T + step * from.dT, 0.5 * from.T));
-        if (to && std::abs(to->q - from.q) < kFarther) break;
+        to = mark_at(from.at + step, from.q + step * from.dq, std::max(from.T + step * from.dT, 0.5 * from.T),
+                     from.least);
+        const bool bends = to && from.dT > 0 && to->T_slope > kSteeper * from.dT && step > kFine;
+        if (to && std::abs(to->q - from.q) < kFarther && !bends) break;
         to.reset();
       }
       if (!to) {
@@ -297,7 +303,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     if (!(width > 0)) return {low, false, square_of(a)};
     const auto solved = [&](double at, double w, double q, double T) -> std::optional<Spot> {
       if (by_T) return spot_at_T(at, w, q);
-      const auto mark = mark_at(at, q, T);
+      const auto mark = mark_at(at, q, T, low.least);
       return mark ? std::optional(spot_of(*mark)) : std::nullopt;
     };
     const double x0 = nearest_on_cubic(low, high, width, part, to);
@@ -310,12 +316,13 @@ class EllipticCurve : public EllipticEquations<Law> {
       at = spot->at;
     }
     double last_at = 0, last_h = 0;
+    bool arrived = false;
     for (int k = 0; k < kMost; ++k) {
-      const Vector x = offset(*spot, to), along{spot->dT / to.sigma_T, spot->dA / to.sigma_A,
-                                                (spot->dq - to.slant * spot->dA / to.A) / to.sigma_q};
+      const Vector x = offset(*spot, to), along = along_at(*spot, to);
       const double h = dot(x, along), speed = square_of(along);
       const bool stalls = k > 0 && std::abs(h) >= 0.5 * std::abs(last_h);
-      if (std::abs(h) <= (stalls ? kRounding : kNear) * std::sqrt(speed)) break;
+      arrived = std::abs(h) <= (stalls ? kRounding : kNear) * std::sqrt(speed);
+      if (arrived) break;
       const double part_now = std::clamp((at - low.at) / width, 0.0, 1.0);
       double bend = speed + x[1] * (by_T ? (high.dA - low.dA) / width : spot->ddA) / to.sigma_A +
                     x[0] * second(part_now, width, low.T, low.dT, high.T, high.dT) / to.sigma_T;
@@ -332,26 +339,44 @@ class EllipticCurve : public EllipticEquations<Law> {
       at = next;
       spot = there;
     }
+    if (!arrived)
+      if (const auto found = bracketed(first, last, to)) return {*found, false, square_of(offset(*found, to))};
     const bool at_end = at == spots_.back().at && by_T == spots_.back().by_T && !by_T && at < 3.0;
     if (!at_end || !pushes_on(*spot, to)) return {*spot, false, square_of(offset(*spot, to))};
     const Spot end = closed_end();
     return {end, true, square_of(offset(end, to))};
   }
 
+  Vector along_at(const Spot& spot, const EllipticReading& to) const {
+    return {spot.dT / to.sigma_T, spot.dA / to.sigma_A, (spot.dq - to.slant * spot.dA / to.A) / to.sigma_q};
+  }
+
+  /// Where the distance begins to grow between two spots. Null if it does not.
+  std::optional<Spot> bracketed(std::size_t first, std::size_t last, const EllipticReading& to) const {
+    const auto growth = [&](const Spot& spot) { return dot(offset(spot, to), along_at(spot, to)); };
+    for (std::size_t i = first; i < last; ++i) {
+      const Spot &low = spots_[i], &high = spots_[i + 1];
+      if (!(growth(low) < 0 && growth(high) > 0)) continue;
+      const auto at = [&](double x) { return between(low, high, x).value_or(high); };
+      const double root =
+          root_between([&](double x) { return x > low.at ? growth(at(x)) : growth(low); }, low.at, high.at);
+      return at(root);
+    }
+    return std::nullopt;
+  }
+
   /// The end of the curve to rounding. Its last spot is within 1e-9 of it.
   Spot closed_end() const {
     Spot end = spots_.back();
     for (double step = 1e-9; step > 1e-16; step *= 0.5)
-      if (const auto mark = mark_at(end.at + step, end.q + step * end.dq, end.T + step * end.dT)) end = spot_of(*mark);
+      if (const auto mark = mark_at(end.at + step, end.q + step * end.dq, end.T + step * end.dT, end.least))
+        end = spot_of(*mark);
     return end;
   }
 
   /// Whether the reading lies beyond the end of the curve.
   bool pushes_on(const Spot& end, const EllipticReading& to) const {
-    const Vector x = offset(end, to);
-    return x[0] * end.dT / to.sigma_T + x[1] * end.dA / to.sigma_A +
-               x[2] * (end.dq - to.slant * end.dA / to.A) / to.sigma_q <
-           0;
+    return dot(offset(end, to), along_at(end, to)) < 0;
   }
 
   std::vector<Spot> spots_;

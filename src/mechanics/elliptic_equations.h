@@ -21,6 +21,7 @@ class EllipticEquations {
  public:
   struct Mark {
     double phi, q, T, q_slope, T_slope;  // slopes: per phi
+    double least;                        // the smaller Y over w
   };
   /// The left sides of the criterion minus the right ones, over 6 pi w, and their derivatives; S = T^2.
   struct Residuals {
@@ -47,9 +48,9 @@ class EllipticEquations {
   double far_shear() const { return 10 * S0_ / std::sqrt(std::max(small_[0], small_[1])); }
 
   Mark first_mark() const {
-    if (uncoupled()) return {0, 0, 0, 0, 0};
+    if (uncoupled()) return {0, 0, 0, 0, 0, 1};
     const Residuals r = residuals(edge_load_at(0), 0, 0);
-    return {0, 0, 0, 0, std::sqrt(std::max(0.5 * S0_ * solved_at_w(r, r.w).second, 0.0))};
+    return {0, 0, 0, 0, std::sqrt(std::max(0.5 * S0_ * solved_at_w(r, r.w).second, 0.0)), r.least};
   }
 
   double edge_load_at(double phi) const { return 3 * pi<double>() + S0_ * std::cos(phi); }  // of the circle: w - P
@@ -97,15 +98,21 @@ class EllipticEquations {
     return solved(r.w, r.q, right);
   }
 
-  /// The mark at phi > 0, from a guess. Null if Newton's method does not arrive, or where K_I < 0.
-  std::optional<Mark> mark_at(double phi, double q, double T) const {
+  /// The mark at phi > 0, from a guess and the least Y over w of a neighbour. Null if Newton's method does not arrive,
+  /// or where K_I < 0.
+  std::optional<Mark> mark_at(double phi, double q, double T, double least) const {
     constexpr int kMost = 25;
     constexpr double kNear = 1e-8;  // Newton's next step ends at rounding
+    constexpr double kClosed = 1e-3;
     const double y = edge_load_at(phi);
     double S = T * T;
     bool near = false;
     for (int i = 0; i < kMost; ++i) {
-      const Residuals r = residuals(y, q, S);
+      Residuals r = residuals(y, q, S);
+      if (i == 0 && least < kClosed && !(r.least > 0.5 * least && r.least < 2 * least)) {
+        q = nearly_closed(y + P_, q, least);
+        r = residuals(y, q, S);
+      }
       if (!(r.least > 0)) return std::nullopt;
       const auto [dq, dS] = solved_at_w(r, r.value);
       const double size = std::abs(dq) + std::abs(dS) / S;
@@ -115,7 +122,7 @@ class EllipticEquations {
       if (near && size <= kNear) {
         const auto [q_w, S_w] = solved_at_w(r, r.w);
         const double w_slope = -S0_ * std::sin(phi), root = std::sqrt(S);
-        return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root)};
+        return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root), r.least};
       }
       near = size <= kNear;
     }
@@ -125,7 +132,7 @@ class EllipticEquations {
   /// A guess at phi from the last mark.
   std::optional<Mark> next_from(const Mark& from, double phi) const {
     const double step = phi - from.phi;
-    return mark_at(phi, from.q + step * from.q_slope, std::max(from.T + step * from.T_slope, 0.5 * from.T));
+    return mark_at(phi, from.q + step * from.q_slope, std::max(from.T + step * from.T_slope, 0.5 * from.T), from.least);
   }
 
   /// w - P and q at this T.
@@ -174,6 +181,18 @@ class EllipticEquations {
   }
 
  protected:
+  /// Where an edge has nearly closed (law a beside lambda = 1), Y hardly changes along the curve, and is the difference
+  /// of nearly equal numbers at a guess of q: the q at which the smaller Y over w is `least`.
+  double nearly_closed(double w, double q, double least) const {
+    constexpr int kSteps = 4;
+    for (int i = 0; i < kSteps; ++i) {
+      const EllipsePressure g = ellipse_pressure(q);
+      const bool along = g.along < g.across;
+      q -= ((along ? g.along : g.across) - P_ / w - least) / (along ? g.along_slope : g.across_slope);
+    }
+    return q;
+  }
+
   static std::pair<double, double> solved(const double (&x)[2], const double (&y)[2], const double (&right)[2]) {
     const double determinant = x[0] * y[1] - x[1] * y[0];
     return {(right[0] * y[1] - right[1] * y[0]) / determinant, (x[0] * right[1] - x[1] * right[0]) / determinant};

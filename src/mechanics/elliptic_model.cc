@@ -142,11 +142,11 @@ void areas(const EllipticModel& model, std::span<const Values> p, Values P, Valu
   });
 }
 
-void axis_ratios(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> q,
-                 std::span<EquilibriumStatus> status) {
-  each_state(model, p, P, T, q.size(), [&](std::size_t i, const EllipseState& state) {
-    q[i] = std::log(state.a / state.b);
-    status[i] = state.status;
+void semi_axes(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> a,
+               std::span<double> b) {
+  each_state(model, p, P, T, a.size(), [&](std::size_t i, const EllipseState& state) {
+    a[i] = state.a;
+    b[i] = state.b;
   });
 }
 
@@ -191,7 +191,10 @@ Equilibria equilibria(const EllipticModel& model, ParameterSpan p, double P, std
       if (!contact || one.status == EquilibriumStatus::invalid) continue;
       const EllipseState state = contact->at(shear);
       one.status = state.status;
-      if (state.status == EquilibriumStatus::ok) one.y = edge_load(std::sqrt(state.a * state.b), P);
+      if (state.status == EquilibriumStatus::ok) {
+        one.y = edge_load(std::sqrt(state.a * state.b), P);
+        one.q = std::log(state.a / state.b);
+      }
       beyond |= state.status == EquilibriumStatus::no_equilibrium;
     }
     if (!beyond || !contact) return;
@@ -214,14 +217,12 @@ double first_stable_end(const EllipticModel& model, ParameterSpan p, double P) {
 
 namespace {
 
-/// The end of the branch that is stable under load or displacement control.
 std::optional<EllipseBranchEnd> end_under(const EllipticModel& model, ParameterSpan p, double P, Control control) {
-  if (control.kind == Control::Kind::stiffness || !obstacle(model, p, P).empty() || above_pull_off(P) < 0) return {};
-  const auto ends = with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
+  if (!obstacle(model, p, P).empty() || above_pull_off(P) < 0) return {};
+  return with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
     EllipticContact<Law> contact(law, II, III, nu, P);
-    return contact.ends(contact.far_shear());
+    return contact.end_under(control, contact.far_shear());
   });
-  return control.kind == Control::Kind::load ? ends.load : ends.displacement;
 }
 
 }  // namespace

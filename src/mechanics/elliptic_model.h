@@ -34,8 +34,8 @@ std::string_view obstacle(const EllipticModel& model, ParameterSpan p, double P)
 void make_continuous(const EllipticModel& model, std::span<double> p);
 void areas(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> A,
            std::span<EquilibriumStatus> status);
-void axis_ratios(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> q,
-                 std::span<EquilibriumStatus> status);
+void semi_axes(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<double> a,
+               std::span<double> b);
 void area_slopes(const EllipticModel& model, std::span<const Values> p, Values P, Values T, std::span<const double> A,
                  std::span<const std::span<double>> slopes);
 void tangential_loads(const EllipticModel& model, std::span<const Values> p, Values P, Values A, std::span<double> T);

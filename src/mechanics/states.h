@@ -33,6 +33,7 @@ struct Equilibrium {
   EquilibriumStatus status;
   double y = 0;  // edge load; the other quantities follow from it
   int iterations = 0;
+  double q = 0;  // ln(a/b) of an elliptic contact
 };
 
 /// A part of the equilibrium curve on which A falls steadily as T rises: stable under load control. y falls from y_top

@@ -61,12 +61,11 @@ void bind_data(nb::module_& m) {
       .def_prop_ro("force_unit", [](const Dataset& d) { return d.contact ? d.contact->force_unit() : 1.0; })
       .def_prop_ro("holds_approach", &Dataset::holds_approach)
       .def_prop_ro("approach_unit_text", [](const Dataset& d) { return d.display.approach; })
-      .def_prop_ro("held_unit",
-                   [](const Dataset& d) {
-                     return !d.contact            ? 1.0
-                            : d.holds_approach() ? d.contact->displacement_unit()
-                                                 : d.contact->force_unit();
-                   })
+      .def_prop_ro(
+          "held_unit",
+          [](const Dataset& d) {
+            return !d.contact ? 1.0 : d.holds_approach() ? d.contact->displacement_unit() : d.contact->force_unit();
+          })
       .def_prop_ro("approach_scale", [](const Dataset& d) { return d.display.approach_scale; })
       .def_prop_ro("stiffness_unit", [](const Dataset& d) { return d.contact ? d.contact->stiffness_unit() : 1.0; })
       .def_prop_ro("displacement_unit",
@@ -159,18 +158,20 @@ void bind_data(nb::module_& m) {
       throw InputError(name, "is in '" + unit + "'; it must be in " + (si.empty() ? "no unit" : si));
     return of->factor;
   });
-  m.def("forces", [](const std::string& name, const std::string& text) {
+  m.def("held_values", [](const std::string& name, const std::string& text, bool approach) {
+    const std::string examples =
+        approach ? "approaches with a unit, such as \"3,8 um\"" : "loads with a unit, such as \"1,4 mN\"";
+    const InputError wrong(name, "is '" + text + "'; it must be " + examples);
     std::vector<Quantity> all;
     for (const std::string_view one : split(text)) {
       const auto quantity = parse_quantity(one);
-      if (!quantity) throw InputError(name, "is '" + text + "'; it must be loads such as \"1,4 mN\"");
+      if (!quantity) throw wrong;
       all.push_back(*quantity);
     }
     std::vector<double> loads;
     for (Quantity& one : all) {
       if (one.unit.text.empty()) one.unit = all.back().unit;
-      if (one.unit.dimension != dimension::force)
-        throw InputError(name, "is '" + text + "'; it must be loads with a unit, such as \"1,4 mN\"");
+      if (one.unit.dimension != (approach ? dimension::length : dimension::force)) throw wrong;
       loads.push_back(one.si());
     }
     return loads;

@@ -117,15 +117,18 @@ void bind_mechanics(nb::module_& m) {
     for (const ParameterInfo& one : parameters_of(model)) bounds.emplace_back(one.lower, one.upper);
     return bounds;
   });
-  for (const auto& [name, found] :
-       {std::pair("areas", &ContactModel::areas), std::pair("axis_ratios", &ContactModel::axis_ratios)})
-    m.def(name, [found](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
-                        const Numbers& T, const Output& out, const Codes& status) {
-      without_gil([&] {
-        (model_of(model).*found)(values_of(parameters), values_of(P), values_of(T), span_of(out),
-                                 {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
-      });
+  m.def("areas", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
+                    const Numbers& T, const Output& out, const Codes& status) {
+    without_gil([&] {
+      model_of(model).areas(values_of(parameters), values_of(P), values_of(T), span_of(out),
+                            {reinterpret_cast<EquilibriumStatus*>(status.data()), status.size()});
     });
+  });
+  m.def("semi_axes", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
+                        const Numbers& T, const Output& a, const Output& b) {
+    without_gil(
+        [&] { model_of(model).semi_axes(values_of(parameters), values_of(P), values_of(T), span_of(a), span_of(b)); });
+  });
   m.def("area_slopes", [](const std::string& model, const std::vector<Numbers>& parameters, const Numbers& P,
                           const Numbers& T, const Numbers& A, const std::vector<Output>& slopes) {
     std::vector<std::span<double>> out;

@@ -45,6 +45,8 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
   Expectation expected;
   const FitResult own = fit_model(data, plan.model, options);
   if (own.status != FitStatus::not_identifiable) expected.standard_error = own.parameters.front().stderr_;
+  // a rival's misfit is no noise whose correlation along the runs could be estimated
+  options.fitted_errors = false;
   for (const std::string& model : without(rivals, plan.model)) {
     const FitResult fit = fit_model(data, model, options);
     if (has_all_values(fit)) expected.rivals.push_back({model, fit.sum_of_squares});

@@ -103,7 +103,7 @@ void EllipseAxes(benchmark::State& state, const char* key) {
   const ContactModel model = ContactModel::find(key).value();
   const double II = 0.15, III = 0.05;
   const EndParameters ends{{&II, 1}, {&III, 1}, 0.5};
-  const double last = model.ellipse_ends(ends, kLoad).load->T;
+  const double last = model.ellipse_end(ends, kLoad, {Control::Kind::load})->T;
   std::vector<double> T(kMany);
   for (std::size_t i = 0; i < kMany; ++i) T[i] = 0.99 * last * static_cast<double>(i) / kMany;
   for (auto _ : state) benchmark::DoNotOptimize(model.ellipses(ends, kLoad, T));

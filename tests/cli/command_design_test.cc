@@ -40,6 +40,19 @@ TEST(DesignCommand, SaysWhatTellsTheCouplingsOfAnEllipseApart) {
   EXPECT_NE(run_program(equal).out.find("no number of runs tells lambda_III from lambda_II"), std::string::npos);
 }
 
+TEST(DesignCommand, PlansHeldApproaches) {
+  const ProgramResult result = run_program(with_plan({"design", "--control=approach", "--approach_offset=0 +/- 0.2 um",
+                                                      "--load_range=2,20 um", "--points=9", "--runs=1"},
+                                                     "--loads=3,8 um"));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* part : {"approaches 3, 8 um", "[[Next approach]]", "delta [um]  error of lambda",
+                           "[[Best 1 approaches for lambda]]", "evenly spaced approaches:"})
+    EXPECT_NE(result.out.find(part), std::string::npos) << part << result.out;
+  EXPECT_EQ(result.out.find("mN"), std::string::npos) << result.out;
+  const Words csv = {"design", "--control=approach", "--load_range=2,20 um", "--points=9", "--format=csv"};
+  EXPECT_EQ(lines_of(run_program(with_plan(csv, "")).out).at(0), "delta [um],standard_error,chi2_a,chi2_b");
+}
+
 TEST(DesignCommand, ListsCandidatesAsCsv) {
   const auto lines = lines_of(run_program(with_plan({"design", "--load_range=0.5,10 mN", "--format=csv"})).out);
   ASSERT_EQ(lines.size(), 22u);
@@ -52,7 +65,12 @@ TEST(DesignCommand, RefusesWhatCannotBePlanned) {
            {with_plan({"design"}, ""), "flag '--loads' is missing"},
            {with_plan({"design"}, "--loads=1,4"), "needs a unit such as mN"},
            {with_plan({"design", "--runs=2"}), "flag '--load_range' is missing"},
-           {with_plan({"design", "--load_range=10,1 mN"}), "it must be two loads"},
+           {with_plan({"design", "--load_range=10,1 mN"}), "it must be two rising loads"},
+           {with_plan({"design", "--load_range=-5,1 mN"}), "flag '--load_range': a load lies at or below pull-off"},
+           {with_plan({"design", "--control=approach", "--load_range=1,2 mN"}, "--loads=3 um"),
+            "it must be two rising approaches, \"0.5,10 um\""},
+           {with_plan({"design", "--control=approach", "--load_range=-5,10 um"}, "--loads=3 um"),
+            "flag '--load_range': an approach lies below pull-off"},
            {with_plan({"design", "--goal=fame"}), "it must be error or model"},
            {with_plan({"design", "--reach=2"}), "reach must lie above 0"},
            {with_plan({"design", "--sigma_A=2 mN"}), "sigma_A must be a percentage or an area"},

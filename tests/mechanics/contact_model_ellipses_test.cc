@@ -23,8 +23,12 @@ Ellipses ellipses(const char* key, double mode_II, double mode_III, double nu, d
   return model(key).ellipses({{&mode_II, 1}, {&mode_III, 1}, nu}, P, T);
 }
 
-EllipseEnds ends(const char* key, double mode_II, double mode_III, double nu, double P) {
-  return model(key).ellipse_ends({{&mode_II, 1}, {&mode_III, 1}, nu}, P);
+constexpr Control kLoad{Control::Kind::load}, kDisplacement{Control::Kind::displacement};
+Control spring(double k) { return {Control::Kind::stiffness, k}; }
+
+std::optional<EllipseBranchEnd> end_of(const char* key, double mode_II, double mode_III, double nu, double P,
+                                       Control control = kLoad) {
+  return model(key).ellipse_end({{&mode_II, 1}, {&mode_III, 1}, nu}, P, control);
 }
 
 TEST(Ellipses, HaveTheAxesOfAReferenceSolution) {
@@ -159,7 +163,7 @@ TEST(Ellipses, OfNearlyEqualCouplingsFollowTheFirstOrder) {
 
 TEST(Ellipses, EndAtAFoldBeforeTheCircleOfTheMeanCoupling) {
   const double mean = 0.004, circle = model("c").first_stable_end({&mean, 1}, 3);
-  const auto found = ends("c", 0.008, 0, 0, 3).load;
+  const auto found = end_of("c", 0.008, 0, 0, 3);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, EllipseEnd::fold);
   EXPECT_LT(found->T, 0.9999 * circle);
@@ -170,20 +174,71 @@ TEST(Ellipses, EndAtAFoldBeforeTheCircleOfTheMeanCoupling) {
   EXPECT_TRUE(std::isnan(around.at[1].a));
 }
 
+void is_fold(const EllipseBranchEnd& found, const Fold& fold) {
+  EXPECT_NEAR(found.T / fold.T, 1, kAxes);
+  EXPECT_NEAR(found.u / fold.u, 1, kAxes);
+  EXPECT_NEAR(pi<double>() * found.a * found.b / fold.A, 1, kAxes);
+}
+
 /// Circles, whose folds are known in closed form; the displacement of a circle is 3/4 T/a at nu = 1/2.
 TEST(Ellipses, OfEqualCouplingsHaveTheFoldsOfCircles) {
   const double lambda = 0.2;
   for (const double P : {-3.0, 0.0, 5.0, 40.0}) {
-    const EllipseEnds found = ends("c", lambda, lambda * 0.5, 0.5, P);
-    ASSERT_TRUE(found.load && found.displacement) << P;
-    const Fold load = model("c").folds({&lambda, 1}, P, {Control::Kind::load})[0],
-               displacement = model("c").folds({&lambda, 1}, P, {Control::Kind::displacement})[0];
-    EXPECT_EQ(found.load->kind, EllipseEnd::fold);
-    EXPECT_EQ(found.displacement->kind, EllipseEnd::fold);
-    EXPECT_NEAR(found.load->T / load.T, 1, 1e-13) << P;
-    EXPECT_NEAR(found.load->u / load.u, 1, 1e-7) << P;  // along the flat top of T
-    EXPECT_NEAR(found.displacement->u / displacement.u, 1, 1e-13) << P;
-    EXPECT_NEAR(found.displacement->T / displacement.T, 1, 1e-8) << P;
+    for (const Control control : {kLoad, kDisplacement, spring(1e-3), spring(0.5), spring(20)}) {
+      const auto found = end_of("c", lambda, lambda * 0.5, 0.5, P, control);
+      ASSERT_TRUE(found) << P;
+      EXPECT_EQ(found->kind, EllipseEnd::fold);
+      is_fold(*found, model("c").folds({&lambda, 1}, P, control)[0]);
+    }
+  }
+}
+
+/// u of a circle is T/(2 a) at nu = 0, two thirds of that of the models of circles: so is the stiffness of the spring.
+TEST(Ellipses, OfEqualCouplingsWithoutPoissonsRatioHaveTheFoldsOfCirclesThroughASpring) {
+  for (const char* key : {"a", "b", "c"})
+    for (const double P : {-3.0, 0.0, 5.0})
+      for (const double k : {0.01, 1.0, 50.0}) {
+        const double lambda = 0.6;
+        const auto found = end_of(key, lambda, lambda, 0, P, spring(1.5 * k));
+        const auto folds = model(key).folds({&lambda, 1}, P, spring(k));
+        ASSERT_EQ(found.has_value() && found->kind == EllipseEnd::fold, !folds.empty()) << key << P << ' ' << k;
+        if (folds.empty()) continue;
+        Fold fold = folds[0];
+        fold.u *= 2.0 / 3;
+        is_fold(*found, fold);
+      }
+}
+
+/// Maxima of u + T/k along the curve of states, found in 40 digits Carlson's integrals checked by quadrature.
+TEST(Ellipses, HaveTheFoldsThroughASpringOfAReferenceSolution) {
+  struct Case {
+    const char* model;
+    double P, mode_II, mode_III, nu, k, T, u, A;
+  };
+  const std::vector<Case> cases{
+      {"c", 3, 0.3, 0.1, 0.5, 1, 23.9062611977273543, 8.69857996077526116, 13.1803796500825769},
+      {"b", -1, 1.2, 0.4, 0.5, 0.5, 10.1167352346578827, 4.28552477599328858, 9.75925396688134716},
+      {"c", 30, 0.1, 0.3, 0.25, 3, 46.5062292584078352, 8.54857151139689403, 31.8904733741197537},
+      {"a", -1, 0.9, 0.8, 0.3, 0.3, 9.13432215077355568, 3.34027771846207961, 8.66056653715756159}};
+  for (const Case& one : cases) {
+    const auto found = end_of(one.model, one.mode_II, one.mode_III, one.nu, one.P, spring(one.k));
+    ASSERT_TRUE(found) << one.model;
+    EXPECT_EQ(found->kind, EllipseEnd::fold);
+    EXPECT_NEAR(found->T / one.T, 1, kAxes) << one.model << ' ' << one.P;
+    EXPECT_NEAR(found->u / one.u, 1, kAxes) << one.model << ' ' << one.P;
+    EXPECT_NEAR(pi<double>() * found->a * found->b / one.A, 1, kAxes) << one.model << ' ' << one.P;
+  }
+}
+
+/// The fold moves in proportion to k, and to 1/k.
+TEST(Ellipses, HaveTheFoldsOfHeldLoadsAndDisplacementsAtTheEndsOfTheStiffness) {
+  const auto of = [](Control control) { return *end_of("c", 0.3, 0.1, 0.5, 3, control); };
+  for (const auto& [limit, stiff] : {std::pair{kLoad, 1e-14}, std::pair{kDisplacement, 1e14}}) {
+    const EllipseBranchEnd at = of(limit), through = of(spring(stiff));
+    EXPECT_NEAR(through.T / at.T, 1, kAxes);
+    EXPECT_NEAR(through.u / at.u, 1, kAxes);
+    EXPECT_NEAR(through.a / at.a, 1, kAxes);
+    EXPECT_NEAR(through.b / at.b, 1, kAxes);
   }
 }
 
@@ -199,14 +254,19 @@ TEST(Ellipses, HaveTheComplianceOfTheirOutline) {
         sum += (1 - nu + nu * square) / std::sqrt(square / (a * a) + (1 - square) / (b * b));
       }
       const double expected = sum / kPoints * 2 * pi<double>() / (4 * pi<double>() * (1 - nu));
-      EXPECT_NEAR(ellipse_compliance(q, nu) / expected, 1, 1e-13) << q << ' ' << nu;
+      EXPECT_NEAR(ellipse_compliance(q, nu).value / expected, 1, 1e-13) << q << ' ' << nu;
+      constexpr double kStep = 1e-4;  // a difference of the fourth order: 1e-12 of rounding
+      const auto pair = [&](double step) {
+        return (ellipse_compliance(q + step, nu).value - ellipse_compliance(q - step, nu).value) / (2 * step);
+      };
+      EXPECT_NEAR(ellipse_compliance(q, nu).slope, (4 * pair(kStep) - pair(2 * kStep)) / 3, 1e-11) << q << ' ' << nu;
     }
 }
 
 /// Under model b large loads reach Hertz smoothly; a circle does at sqrt(6 pi P)/sin(pi lambda/4).
 TEST(Ellipses, EndWhereTheEdgeCloses) {
   const double P = 30;
-  const auto circle = ends("b", 0.15, 0.15, 0, P).load, found = ends("b", 0.2, 0.1, 0, P).load;
+  const auto circle = end_of("b", 0.15, 0.15, 0, P), found = end_of("b", 0.2, 0.1, 0, P);
   ASSERT_TRUE(circle && found);
   EXPECT_NEAR(circle->T * std::sin(pi<double>() * 0.15 / 4) / std::sqrt(6 * pi<double>() * P), 1, 1e-10);
   EXPECT_EQ(found->kind, EllipseEnd::closes_along);
@@ -215,13 +275,13 @@ TEST(Ellipses, EndWhereTheEdgeCloses) {
   // K_I = 0 at (a, 0), to the square root of the rounding of w
   EXPECT_NEAR(4.0 / 3 * std::pow(a * b, 1.5) * ellipse_pressure(std::log(a / b)).along / P, 1, 1e-9);
   EXPECT_EQ(ellipses("b", 0.2, 0.1, 0, P, {T * 1.001}).at[0].status, EquilibriumStatus::no_equilibrium);
-  EXPECT_EQ(ends("b", 0.1, 0.2, 0, P).load->kind, EllipseEnd::closes_across);
+  EXPECT_EQ(end_of("b", 0.1, 0.2, 0, P)->kind, EllipseEnd::closes_across);
 }
 
 /// With lambda_III = 0 K_I at (a, 0) falls with the load at the end, but the fold comes first.
 TEST(Ellipses, OfModelCHaveAFoldBeforeTheEdgeCloses) {
   for (const double P : {3.0, 100.0, 1e4, 1e6}) {
-    const auto found = ends("c", 0.008, 0, 0, P).load;
+    const auto found = end_of("c", 0.008, 0, 0, P);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->kind, EllipseEnd::fold) << P;
     const double w = 4.0 / 3 * std::pow(found->a * found->b, 1.5);
@@ -232,7 +292,7 @@ TEST(Ellipses, OfModelCHaveAFoldBeforeTheEdgeCloses) {
 TEST(Ellipses, OfUncoupledModesStayJkrsCircle) {
   const Ellipses found = ellipses("c", 0, 0, 0.5, 3, {0, 1e3, 1e150});
   EXPECT_FALSE(found.end);
-  EXPECT_FALSE(ends("c", 0, 0, 0.5, 3).load);
+  EXPECT_FALSE(end_of("c", 0, 0, 0.5, 3));
   for (const EllipseState& one : found.at) EXPECT_EQ(one.a, one.b);
 }
 

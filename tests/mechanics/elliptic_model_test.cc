@@ -118,37 +118,59 @@ TEST(EllipticModel, OfEqualCouplingsHasTheCirclesNumbers) {
 }
 
 /// The nearest of 20,000 states in each of which the equations hold.
-TEST(EllipticModel, FindsTheNearestState) {
-  for (const auto& [key, p] : std::vector<std::pair<const char*, ParameterValues>>{
-           {"c-ellipse", {0.3, 0.1, 0.5}}, {"b-ellipse", {0.6, 0.3, 0.4}}, {"a-ellipse", {0.9, 0.6, 0.3}}}) {
-    const ContactModel of = model(key);
-    for (const double P : {-2.0, 3.0}) {
-      Readings readings = beside(of, p, {P}, 0.05, 8);
-      const Distances found(of, p, readings.points(true));
-      ASSERT_TRUE(found.good);
-      const double end = std::min(of.first_stable_end(p, P), 60.0);
-      std::vector<double> T;
-      for (int k = 0; k <= 20000; ++k) T.push_back(end * (1 - std::pow(1 - k / 20000.0, 2)));
-      const auto circle = ContactModel::find(std::string(key).substr(0, 1));
-      const Ellipses states = circle->ellipses(*of.ends_of(p), P, T);
-      for (std::size_t i = 0; i < readings.size(); ++i) {
-        double best = 1e300;
-        for (std::size_t k = 0; k < T.size(); ++k) {
-          if (states.at[k].status != EquilibriumStatus::ok) continue;
-          const double a = states.at[k].a, b = states.at[k].b, A = pi<double>() * a * b;
-          best = std::min(best, std::pow((T[k] - std::abs(readings.T[i])) / readings.sigma_T[i], 2) +
-                                    std::pow((A - readings.A[i]) / readings.sigma_A[i], 2) +
-                                    std::pow((std::log(a / b) - readings.q[i]) / readings.sigma_q[i], 2));
-        }
-        const double square = found.r[i] * found.r[i] + found.axes_r[i] * found.axes_r[i];
-        EXPECT_LE(square, best * (1 + 1e-9) + 1e-12) << key << P << ' ' << i;
-        // unless the nearest state is on the unstable part, the step of the search costs at most 1e-5
-        if (found.T[i] < 0.97 * end) {
-          EXPECT_NEAR(square, best, 1e-4 * (1 + best)) << key << P << ' ' << i;
-        }
-      }
+void finds_the_nearest(const char* key, const ParameterValues& p, double P, double noise, std::size_t readings_each) {
+  const ContactModel of = model(key);
+  const Readings readings = beside(of, p, {P}, noise, readings_each);
+  const Distances found(of, p, readings.points(true));
+  ASSERT_TRUE(found.good);
+  const double end = std::min(of.first_stable_end(p, P), 60.0);
+  std::vector<double> T;
+  for (int k = 0; k <= 20000; ++k) T.push_back(end * (1 - std::pow(1 - k / 20000.0, 2)));
+  const auto circle = ContactModel::find(std::string(key).substr(0, 1));
+  const Ellipses states = circle->ellipses(*of.ends_of(p), P, T);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    double best = 1e300;
+    for (std::size_t k = 0; k < T.size(); ++k) {
+      if (states.at[k].status != EquilibriumStatus::ok) continue;
+      const double a = states.at[k].a, b = states.at[k].b, A = pi<double>() * a * b;
+      best = std::min(best, std::pow((T[k] - std::abs(readings.T[i])) / readings.sigma_T[i], 2) +
+                                std::pow((A - readings.A[i]) / readings.sigma_A[i], 2) +
+                                std::pow((std::log(a / b) - readings.q[i]) / readings.sigma_q[i], 2));
+    }
+    const double square = found.r[i] * found.r[i] + found.axes_r[i] * found.axes_r[i];
+    EXPECT_LE(square, best * (1 + 1e-9) + 1e-12) << key << P << ' ' << i;
+    // unless the nearest state is on the unstable part, the step of the search costs at most 1e-5
+    if (found.T[i] < 0.97 * end) {
+      EXPECT_NEAR(square, best, 1e-4 * (1 + best)) << key << P << ' ' << i;
     }
   }
+}
+
+TEST(EllipticModel, FindsTheNearestState) {
+  for (const auto& [key, p] : std::vector<std::pair<const char*, ParameterValues>>{
+           {"c-ellipse", {0.3, 0.1, 0.5}}, {"b-ellipse", {0.6, 0.3, 0.4}}, {"a-ellipse", {0.9, 0.6, 0.3}}})
+    for (const double P : {-2.0, 3.0}) finds_the_nearest(key, p, P, 0.05, 8);
+}
+
+/// Law a's T grows without bound where the area hardly changes: also there, and for a cost without steps.
+TEST(EllipticModel, FindsTheNearestStateTowardsAnAsymptote) {
+  for (const ParameterValues& p :
+       {ParameterValues{0.107, 0.0138, 0.5}, ParameterValues{0.5, 0.445, 0.5}, ParameterValues{0.05, 0.01, 0.5}})
+    for (const double P : {2.0, 16.0}) finds_the_nearest("a-ellipse", p, P, 0.006, 25);
+}
+
+/// Beside lambda = 1 the edge of law a stays nearly closed at one end of the contact while T rises again. A state there
+/// as steps of 2e-4 in phi have it, in six digits.
+TEST(EllipticModel, FollowsACurveAlongWhichAnEdgeIsNearlyClosed) {
+  const ContactModel of = model("a-ellipse");
+  const ParameterValues p{1 - 0x1p-53, 1 - 0x1p-53, 0.5};
+  const double P = 1.965872454195172;
+  EXPECT_LT(of.curve(p, P, {.T_most = 40.0}).points.size(), 1000u);  // not 20,000
+  // the curve is followed as far as the largest T that was measured
+  const Readings two{{P, P}, {6.82818, 12}, {5.81693, 4}, {1e-3, 1}, {1e-3, 1}, {0.282872, 0}, {1e-3, 1}, {0, 0}};
+  const Distances found(of, p, two.points(true));
+  ASSERT_TRUE(found.good);
+  EXPECT_LT(std::hypot(found.r[0], found.axes_r[0]), 0.02);  // six digits of T, in standard errors
 }
 
 /// Against central differences, of each residual by itself.

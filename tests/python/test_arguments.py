@@ -171,7 +171,7 @@ def test_plans_take_loads_and_errors_in_every_form():
         assert plan.loads == pytest.approx([1e-3, 4e-3], rel=1e-13)
         assert plan.expect("")["standard_error"] == pytest.approx(plans[0].expect("")["standard_error"], rel=1e-9)
     assert len(plans[0].next_loads("0.5 mN", Q(1, "mN"), 2, "")) == 2
-    for loads, sentence in [("1,4", "loads with a unit"), ("much", "it must be loads such as"), ("1 mm", "loads with a unit")]:
+    for loads, sentence in [("1,4", "loads with a unit"), ("much", "it must be loads with a unit"), ("1 mm", "loads with a unit")]:
         with pytest.raises(mixity.InputError, match=sentence):
             plans[0].with_loads(loads)
 

@@ -39,6 +39,16 @@ def test_axes_are_those_of_a_reference_solution():
     assert abs(np.pi * a[1] * b[1] / area - 1) < 1e-15 * 4  # a few roundings
     one, other = mixity.axes("c", 0.008, 3.0, 50.0)
     assert one == other
+    contact, loads = (9.42e-3, 2.133e6, 27e-3), (7.6e-4, 2.4e-2)
+    a, b = mixity.axes("c-ellipse", (0.008, 0.0, 0.5), *loads, contact=contact)
+    area = mixity.area("c-ellipse", (0.008, 0.0, 0.5), *loads, contact=contact)
+    assert b > a > 1e-4 and abs(np.pi * a * b / area - 1) < 1e-15 * 8  # a few roundings
+
+
+def test_folds_through_a_spring_are_those_of_a_reference_solution():
+    # 34 digits, as in tests/mechanics/contact_model_ellipses_test.cc
+    fold = mixity.folds("c-ellipse", (0.3, 0.1, 0.5), 3.0, control="stiffness", stiffness=1.0)[0]
+    assert abs(fold["T"] / 23.9062611977273543 - 1) < 1e-12 and abs(fold["u"] / 8.69857996077526116 - 1) < 1e-12
 
 
 def test_a_fit_predicts_axes_with_bands(data):

@@ -44,6 +44,15 @@ def test_arrays_of_approaches_are_fitted_and_predicted(data):
     assert fit.folds(8.0)[0]["T"] > 5
 
 
+def test_approaches_are_planned():
+    plan = mixity.Plan("c", (0.05,), "3,8 um", points=9, **CONSTANTS)
+    assert plan.loads == [3e-6, 8e-6]
+    best = plan.best("2 um", "20 um", 1)
+    assert len(best.loads) == 3 and best.expect("")["standard_error"] < plan.expect("")["standard_error"]
+    with pytest.raises(mixity.InputError, match="approaches with a unit"):
+        mixity.Plan("c", (0.05,), "3,8 mN", **CONSTANTS)
+
+
 def test_areas_are_drawn_at_approaches(data):
     pytest.importorskip("matplotlib").use("Agg")
     lines = mixity.fit(data, "c")["c"].plot_area().lines

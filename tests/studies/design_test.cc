@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "mechanics/contact.h"
 #include "mechanics/contact_model.h"
@@ -93,6 +94,52 @@ TEST(Design, ForetellsTheSpreadOfExperiments) {
     // 500 experiments tell a spread to 3.2 %; 10 % are what a plan is to be right to
     EXPECT_NEAR(expected / outcome.spread, 1, 0.1) << model << ' ' << expected << ' ' << outcome.spread;
     EXPECT_NEAR(outcome.covered, 0.95, 0.03) << model;
+  }
+}
+
+Plan held_plan(const std::string& model, double lambda, const std::string& stiffness) {
+  Plan plan = plan_of(model, lambda);
+  plan.constants.standard_errors.clear();
+  plan.constants.control = NormalControl::approach;
+  plan.loads = {3e-6, 8e-6, 15e-6};
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"modulus", "2.133 MPa +/- 1%"}, {"approach_offset", "0 +/- 0.2 um"}, {"normal_stiffness", stiffness}})
+    if (!text.empty()) {
+      EXPECT_EQ(set_field(plan.constants, name, text), "");
+    }
+  return plan;
+}
+
+TEST(Design, ForetellsTheSpreadOfExperimentsAtHeldApproaches) {
+  for (const auto& [model, lambda, stiffness] : std::vector<std::tuple<std::string, double, std::string>>{
+           {"c", 0.05, ""}, {"b", 0.3, "1.2 kN/m"}, {"a", 0.3, ""}}) {
+    const Plan plan = held_plan(model, lambda, stiffness);
+    const double expected = expect(plan, {}).standard_error.value();
+    const Outcome outcome = try_plan(plan, 5, 200, {});
+    EXPECT_EQ(outcome.with_value, 200u);
+    // 200 experiments tell a spread to 5 %: three standard errors
+    EXPECT_NEAR(expected / outcome.spread, 1, 0.15) << model << ' ' << expected << ' ' << outcome.spread;
+    EXPECT_NEAR(outcome.covered, 0.95, 0.045) << model;  // three standard errors of 200
+  }
+}
+
+/// A wrong model's misfit bends each run the same way, which is no correlated noise: the runs add up.
+TEST(Design, TheOddsAgainstARivalAddUpOverTheRuns) {
+  Plan plan = plan_of("c", 0.05, "2.133 MPa");
+  plan.constants.standard_errors.clear();
+  for (const NormalControl control : {NormalControl::load, NormalControl::approach}) {
+    plan.constants.control = control;
+    const double scale = control == NormalControl::load ? 1e-3 : 3e-6;
+    double sum = 0;
+    for (const double load : {1.0, 3.0, 5.0}) {
+      plan.loads = {load * scale};
+      sum += expect(plan, {"b"}).least_chi2();
+    }
+    plan.loads = {scale, 3 * scale, 5 * scale};
+    const double all = expect(plan, {"b"}).least_chi2();
+    // one lambda fits all runs worse than each its own, by what these differ
+    EXPECT_GE(all, sum);
+    EXPECT_LE(all, 1.3 * sum);
   }
 }
 

@@ -170,10 +170,9 @@ def axes(
     """
     units = Units(contact)
     loads = units.without("P", P), units.without("T", T)
-    A, _ = evaluate(_core.areas, model, lam, loads, units.area, None, np.uint8)
-    q, _ = evaluate(_core.axis_ratios, model, lam, loads, 1.0, None, np.uint8)
-    mean = np.sqrt(A / np.pi)
-    return mean * np.exp(q / 2), mean * np.exp(-q / 2)
+    a, b = evaluate(_core.semi_axes, model, lam, loads, 1.0, None, np.float64)
+    length = np.sqrt(units.area)
+    return a * length, b * length
 
 
 @overload

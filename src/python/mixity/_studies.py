@@ -30,7 +30,8 @@ class Plan:
     lam : float or tuple
         The guess; a tuple for a model with several parameters.
     loads : sequence of float, or str
-        Normal load of each run [N], a text with units ("1,4 mN") or quantities; empty to have them found.
+        Normal load of each run [N], a text with units ("1,4 mN") or quantities; empty to have them found. With
+        ``control="approach"`` the approaches [m] ("3,8 um"), here and wherever loads are named below.
     points : int
         Number of points per run, at equal steps of T from 0.
     reach : float
@@ -65,7 +66,9 @@ class Plan:
         stated = stated_constants(constants)
         sigma_T, sigma_A = error_text("sigma_T", sigma_T), error_text("sigma_A", sigma_A)
         points = whole_number("points", points, 1)
-        self._given = (key, parameters, stated, load_list("loads", loads), points, float(reach), sigma_T, sigma_A)
+        self._approach = constants.get("control") == "approach"
+        loads = load_list("loads", loads, self._approach)
+        self._given = (key, parameters, stated, loads, points, float(reach), sigma_T, sigma_A)
         self._core = _core.Plan(*self._given)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -90,7 +93,7 @@ class Plan:
             A new one.
         """
         given = list(self._given)
-        given[3] = load_list("loads", loads)
+        given[3] = load_list("loads", loads, self._approach)
         return _plan_again(tuple(given))
 
     def simulate(self, seed: int = 1, index: int | None = 0) -> Dataset:
@@ -150,7 +153,7 @@ class Plan:
         list of (float, dict)
             Load [N], and what :meth:`expect` returns for the plan with a run at it.
         """
-        least, most = load_number("least", least), load_number("most", most)
+        least, most = (load_number(name, one, self._approach) for name, one in (("least", least), ("most", most)))
         return self._core.next_loads(least, most, whole_number("candidates", candidates, 2), _keys(rivals))
 
     plot_loads = plots.loads
@@ -181,7 +184,7 @@ class Plan:
         """
         if goal not in ("error", "model"):
             raise ValueError("goal must be 'error' or 'model'")
-        least, most = load_number("least", least), load_number("most", most)
+        least, most = (load_number(name, one, self._approach) for name, one in (("least", least), ("most", most)))
         return self.with_loads(self._core.best(least, most, whole_number("runs", runs), goal == "model", _keys(rivals)).loads)
 
     def experiments(

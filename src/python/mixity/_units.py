@@ -64,20 +64,20 @@ def error_text(name, value, dimensional=True):
         ) from None
 
 
-def load_list(name, value):
-    """Loads [N] as a list of floats, from numbers in SI, texts ("1,4 mN", or one per load) and quantities."""
+def load_list(name, value, approach=False):
+    """Loads [N], or approaches [m], as a list of floats, from numbers in SI, texts ("1,4 mN", or one per load) and quantities."""
     if isinstance(value, str):
-        return _core.forces(name, value)
+        return _core.held_values(name, value, approach)
     if isinstance(value, (list, tuple)) and any(isinstance(one, str) or is_quantity(one) for one in value):
-        return [load for one in value for load in load_list(name, one)]
-    return np.atleast_1d(plain_array("P", value)).tolist()
+        return [load for one in value for load in load_list(name, one, approach)]
+    return np.atleast_1d(plain_array("delta" if approach else "P", value)).tolist()
 
 
-def load_number(name, value):
-    """One load [N]."""
-    loads = load_list(name, value)
+def load_number(name, value, approach=False):
+    """One load [N], or one approach [m]."""
+    loads = load_list(name, value, approach)
     if len(loads) != 1:
-        raise _core.InputError(f"{name} is {value!r}; it must be one load")
+        raise _core.InputError(f"{name} is {value!r}; it must be one {'approach' if approach else 'load'}")
     return loads[0]
 
 

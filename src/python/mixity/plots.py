@@ -246,11 +246,12 @@ def loads(plan: Any, least: Any, most: Any, rivals: Any = "abc", ax: Axes | None
     """
     ax = _axes(ax)
     candidates = plan.next_loads(least, most, 41, rivals)
-    load = [1e3 * one for one, _ in candidates]
+    scale, label = (1e6, "approach of the next run [um]") if plan._approach else (1e3, "load of the next run [mN]")
+    load = [scale * one for one, _ in candidates]
     guess = plan._given[1][0]
     error = [np.nan if found["standard_error"] is None else 100 * found["standard_error"] / guess for _, found in candidates]
     ax.plot(load, error, "-", color=_STYLE["c"][0], label="error of lambda")
-    _finished(ax, "load of the next run [mN]", "expected error of lambda [%]")
+    _finished(ax, label, "expected error of lambda [%]")
     odds = [min(found["chi2"].values(), default=np.nan) / (2 * np.log(10)) for _, found in candidates]
     if np.isfinite(odds).any():
         right = ax.twinx()
