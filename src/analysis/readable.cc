@@ -49,7 +49,7 @@ std::string parameter_symbol(const std::string& name) {
 }
 
 std::string parameter_in_text(const std::string& name) {
-  return name == "lambda" ? "λ" : name == "eta" ? "η" : name;
+  return name.starts_with("lambda") ? "λ" + name.substr(6) : name == "eta" ? "η" : name;
 }
 
 std::string plain(std::string_view text) {

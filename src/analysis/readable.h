@@ -16,7 +16,7 @@ std::string in_words(FitStatus status);
 
 /// A parameter's letter, or its name: λ for "lambda".
 std::string parameter_symbol(const std::string& name);
-/// The same in a sentence, without the signs of figures.
+/// The same in a sentence, without the signs of figures: λ_II.
 std::string parameter_in_text(const std::string& name);
 
 /// Escapes characters that gnuplot would read as markup.

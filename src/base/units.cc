@@ -165,6 +165,11 @@ std::optional<Unit> parse_unit(std::string_view text) {
   // for one-line messages
   std::replace_if(
       unit.text.begin(), unit.text.end(), [](unsigned char c) { return std::isspace(c); }, ' ');
+  for (std::size_t at = 0; (at = unit.text.find("\\+(", at)) != std::string::npos;) {  // Origin's markup
+    const std::size_t end = unit.text.find(')', at);
+    if (end == std::string::npos) break;
+    unit.text = unit.text.substr(0, at) + '^' + unit.text.substr(at + 3, end - at - 3) + unit.text.substr(end + 1);
+  }
   if (text.empty()) return std::nullopt;
   // units of a plain number; within a product 1 may only occur as in "1/mm"
   if (text == "1" || text == "-") return unit;
@@ -227,7 +232,8 @@ std::string with_other_capitals(std::string_view unit, const Dimension& wanted) 
 }
 
 ReadableUnit readable_unit(double value, const std::string& unit) {
-  if (unit != "Pa" && unit != "J/m^2" && unit != "m") return {1, unit};
+  if (unit == "m^2" && std::abs(value) < 1e-3) return {1e6, "mm^2"};
+  if (unit != "Pa" && unit != "J/m^2" && unit != "m" && unit != "N") return {1, unit};
   for (const auto& [least, prefix] : {std::pair(1e9, "G"), std::pair(1e6, "M"), std::pair(1e3, "k"), std::pair(1.0, ""),
                                       std::pair(1e-3, "m"), std::pair(1e-6, "u")})
     if (std::abs(value) >= least) return {1 / least, prefix + unit};

@@ -143,6 +143,8 @@ struct Dataset {
   std::vector<Message> notes;                  // on skipped or changed data: sentences that every fit shows
   DisplayUnits display;
 
+  /// What reports call the data: the title that is stated, else the name.
+  const std::string& title() const { return metadata.title.empty() ? name : metadata.title; }
   /// Offsets, area_scale and force_gain as the metadata state them; 0 for toughness, modulus and radius, which are
   /// relative to the data set's own, and for changes, of which only errors are stated. All are 0 without loads.
   Constants stated_constants() const;

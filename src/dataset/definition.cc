@@ -15,7 +15,8 @@ namespace {
 using Entries = std::vector<std::pair<std::string, std::string>>;  // keys and texts
 
 bool is_of_the_kind(std::string_view field) {
-  return field != "columns" && field != "load" && field != "source" && field != "note" && field != "definition";
+  return field != "columns" && field != "load" && field != "title" && field != "source" && field != "note" &&
+         field != "definition";
 }
 
 Entries constants_and_rules(const UnderstoodFile& file, const std::string& path) {

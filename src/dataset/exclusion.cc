@@ -85,6 +85,24 @@ std::optional<LineRange> parse_lines(std::string_view text) {
   return LineRange{*first, *last, file};
 }
 
+std::string lines_text(const Dataset& data, const std::vector<std::size_t>& points) {
+  constexpr std::size_t kMost = 40;
+  std::vector<std::size_t> lines;
+  for (const std::size_t i : points) lines.push_back(data.points[i].line);
+  std::sort(lines.begin(), lines.end());
+  std::vector<std::string> ranges;
+  for (std::size_t from = 0, to; from < lines.size(); from = to) {
+    to = from + 1;
+    while (to < lines.size() && lines[to] == lines[to - 1] + 1 && data.file_of(lines[to]) == data.file_of(lines[from]))
+      ++to;
+    const std::string file = data.files.size() > 1 ? file_name(data.file_of(lines[from])) + ":" : "";
+    if (file.find(',') != std::string::npos) return {};
+    ranges.push_back(file + std::to_string(data.line_in_file(lines[from])) +
+                     (to > from + 1 ? "-" + std::to_string(data.line_in_file(lines[to - 1])) : ""));
+  }
+  return ranges.size() > kMost ? std::string() : joined(ranges, ",");
+}
+
 void exclude(Dataset& data, const Exclusion& which) {
   if (which.lines.empty() && which.runs.empty() && which.unsheared != Unsheared::out) return;
   std::vector<std::string_view> reasons(data.points.size());

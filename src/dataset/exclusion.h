@@ -18,6 +18,10 @@ struct LineRange {
 /// "17", "40-58" or "run_3.csv:17". Null for other texts.
 std::optional<LineRange> parse_lines(std::string_view text);
 
+/// These points as lines of their files in the form of parse_lines: "26,52-54". Empty if there are more than 40 ranges,
+/// or if the name of a file has a comma.
+std::string lines_text(const Dataset& data, const std::vector<std::size_t>& points);
+
 /// The treatment of points without shear (PointPlace): fitted like the others, fitted with a separate toughness, or
 /// left out.
 enum class Unsheared { in, own, out };

@@ -154,6 +154,7 @@ double Metadata::modulus_error() const {
 
 std::string set_field(Metadata& metadata, std::string_view name, std::string_view text) {
   const std::string given = std::string(name) + " is " + quoted(text) + "; ";
+  if (name == "title") return metadata.title = one_line(std::string(text)), "";
   if (name == "source") return metadata.source = one_line(std::string(text)), "";
   if (name == "note") return metadata.note = one_line(std::string(text)), "";
   if (name == "provenance") {
@@ -255,6 +256,7 @@ std::string add_constants(const Metadata& more, Metadata& constants) {
     constants.control = more.control;
   }
   constants.provenance = std::max(constants.provenance, more.provenance);
+  if (constants.title.empty()) constants.title = more.title;
   if (constants.source.empty()) constants.source = more.source;
   if (constants.note.empty()) constants.note = more.note;
   return "";
@@ -275,9 +277,10 @@ std::optional<std::string> stated_text(const Metadata& metadata, std::string_vie
     for (const auto& [quantity, heading] : metadata.columns)
       text += (text.empty() ? "" : ",") + quantity + "=" + heading;
   for (const auto& [field_name, value] :
-       {std::pair("source", &Metadata::source), std::pair("note", &Metadata::note),
-        std::pair("headings", &Metadata::headings), std::pair("sheet", &Metadata::sheet),
-        std::pair("definition", &Metadata::definition), std::pair("load_from", &Metadata::load_from)})
+       {std::pair("title", &Metadata::title), std::pair("source", &Metadata::source),
+        std::pair("note", &Metadata::note), std::pair("headings", &Metadata::headings),
+        std::pair("sheet", &Metadata::sheet), std::pair("definition", &Metadata::definition),
+        std::pair("load_from", &Metadata::load_from)})
     if (name == field_name) text = metadata.*value;
   return text.empty() ? std::nullopt : std::optional(text);
 }

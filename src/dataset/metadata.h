@@ -63,7 +63,7 @@ struct Metadata {
   Provenance provenance = Provenance::unstated;
   ModeIII mode_III = ModeIII::unstated;
   NormalControl control = NormalControl::unstated;
-  std::string source, note;
+  std::string title, source, note;
   // How to read the file.
   std::map<std::string, std::string> columns;  // quantity -> heading
   std::string headings;                        // path of a TOML that adds to the vocabulary

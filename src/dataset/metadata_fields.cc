@@ -7,7 +7,7 @@
 namespace mixity {
 namespace {
 
-constexpr std::array<MetadataField, 34> kFields{{
+constexpr std::array<MetadataField, 35> kFields{{
     {"radius", "radius of the sphere, such as \"9.42 mm\"", true, &Metadata::radius, dimension::length, "9.42 mm"},
     {"modulus", "plane-strain modulus E*, such as \"2.133 MPa\"", true, &Metadata::modulus, dimension::stress,
      "2.133 MPa"},
@@ -53,6 +53,7 @@ constexpr std::array<MetadataField, 34> kFields{{
      "of a held approach: stiffness of the machine, such as \"1.2 kN/m\"; without it the machine is rigid", true,
      &Metadata::normal_stiffness, dimension::energy_per_area, "1.2 kN/m"},
     {"provenance", "measured, digitised or reconstructed", true},
+    {"title", "what reports call the data, in place of the file's name", true},
     {"source", "where the data come from", true},
     {"note", "a note on the data", true},
     {"columns", "which column is which: \"P=Kanal 3 (mN),T=Kanal 4 (N)\", by heading or number", false},

@@ -40,8 +40,8 @@ const ExactConstant* nearly_wrong_constant(const FitResult& fit);
 /// A constant farther from its stated value than its standard error explains; else null.
 const BudgetPart* far_from_stated(const FitResult& fit);
 
-/// Whether more points lie beyond the last equilibrium than chance allows.
-bool slides(const FitResult& fit);
+/// The points that lie beyond the last equilibrium and far off, if there are more than chance allows; else none.
+std::vector<std::size_t> sliding_points(const FitResult& fit);
 
 /// Whether the residuals are far larger than the scatter of neighbours.
 bool is_far(const ResidualTests& tests);

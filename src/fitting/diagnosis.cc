@@ -4,6 +4,7 @@
 
 #include "base/number_text.h"
 #include "base/phrases.h"
+#include "dataset/exclusion.h"
 #include "fitting/causes.h"
 #include "fitting/circularity.h"
 #include "fitting/heavy_points.h"
@@ -69,14 +70,8 @@ Message sliding_text(const Case& of, const FitResult& whole, const Cut& cut, std
   const std::size_t all = of.fit.used.size();
   return (used == all ? "" : "of every " + std::to_string(all / used) + "th point ") + std::to_string(cut.points) +
          " points lie past the onset of sliding, the first in " + of.data.line_text(of.data.points[cut.first].line) +
-         ": cut the runs there; without them " + lambda_text(cut.fit) + " and " + before_and_after(whole, cut.fit);
-}
-
-/// "5" or "5,7".
-std::string listed(const std::vector<std::size_t>& lines) {
-  std::string text;
-  for (const std::size_t line : lines) text += (text.empty() ? "" : ",") + std::to_string(line);
-  return text;
+         ": cut the runs there" + cut_at(cut.onsets, of.data, of.fit) + "; without them " + lambda_text(cut.fit) +
+         " and " + before_and_after(whole, cut.fit);
 }
 
 /// The reason if a few points with far smaller errors than the others explain the failure; else null.
@@ -92,7 +87,8 @@ std::optional<Message> of_heavy_points(const Case& of) {
   Message text = text_of(heavy, of.data) + ": check " + (one ? "it" : "them") + "; without " + (one ? "it " : "them ") +
                  before_and_after(of.fit, without);
   if (const std::string values = lambda_text(without); !values.empty()) text += " and " + values;
-  if (of.data.files.empty()) text += Message("; ") + Remedy::set("exclude", listed(lines_of(heavy, of.data)));
+  if (const std::string lines = lines_text(of.data, heavy.points); !lines.empty())
+    text += Message("; ") + Remedy::set("exclude", lines);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/exclusion.h"
 #include "fitting/causes.h"
 #include "fitting/predicted_area.h"
 
@@ -71,6 +72,17 @@ bool is_found(const FitResult& fit) { return has_minimum(fit) && fit.freedom() >
 
 double per_freedom(const FitResult& fit) { return comparable_squares(fit) / static_cast<double>(fit.freedom()); }
 
+Message cut_at(const std::vector<std::size_t>& onsets, const Dataset& data, const FitResult& fit) {
+  const std::vector<Points> runs = runs_from_low_shear(data, {fit.used.begin(), fit.used.end()});
+  Points cut;
+  for (const std::size_t onset : onsets) {
+    const Points& run = runs[data.points[onset].curve];
+    cut.insert(cut.end(), std::find(run.begin(), run.end(), onset), run.end());
+  }
+  const std::string lines = lines_text(data, cut);
+  return lines.empty() ? Message() : Message(" (") + Remedy::set("exclude", lines) + ")";
+}
+
 std::optional<Cut> before_sliding(const Case& of, const Points& points, std::size_t few) {
   constexpr int kRounds = 8;
   const std::vector<Points> runs = runs_from_low_shear(of.data, points);
@@ -90,14 +102,17 @@ std::optional<Cut> before_sliding(const Case& of, const Points& points, std::siz
     if (!off) return std::nullopt;
     Points next;
     std::size_t left_out = 0, first = of.data.points.size();
+    std::vector<std::size_t> onsets;
     for (const Points& run : runs) {
       const std::size_t end = onset(run, *off);
       next.insert(next.end(), run.begin(), run.begin() + static_cast<std::ptrdiff_t>(end));
       left_out += run.size() - end;
-      if (end < run.size()) first = std::min(first, run[end]);
+      if (end == run.size()) continue;
+      first = std::min(first, run[end]);
+      onsets.push_back(run[end]);
     }
     if (left_out < few) return std::nullopt;
-    if (next == before) return Cut{std::move(start), left_out, first};
+    if (next == before) return Cut{std::move(start), left_out, first, std::move(onsets)};
     before = std::move(next);
   }
   return std::nullopt;

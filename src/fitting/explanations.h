@@ -36,8 +36,12 @@ double per_freedom(const FitResult& fit);
 /// The fit of the points before the onset of sliding.
 struct Cut {
   FitResult fit;
-  std::size_t points, first;  // number of points left out; the first of them in the file
+  std::size_t points, first;          // number of points left out; the first of them in the file
+  std::vector<std::size_t> onsets{};  // the first of each run that is cut
 };
+/// Where the runs are cut: points of the fit at the shear of the onsets and above, as lines to exclude. None if they
+/// are too many to list.
+Message cut_at(const std::vector<std::size_t>& onsets, const Dataset& data, const FitResult& fit);
 inline constexpr std::size_t kFew = 3;  // points that may lie beyond an onset by chance
 /// First fits the first half of each run, then repeatedly all points that agree with the last fit. Null if fewer than
 /// `few` points lie beyond the onset, or if this does not converge.

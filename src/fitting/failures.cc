@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/number_text.h"
 #include "base/units.h"
@@ -65,14 +66,28 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
   return worst;
 }
 
-bool slides(const FitResult& fit) {
+std::vector<std::size_t> sliding_points(const FitResult& fit) {
   constexpr double kFarOff = 4;    // standard errors of a residual
   constexpr std::size_t kFew = 2;  // points there that chance allows
-  if (!fit.area || fit.area->areas.size() != fit.used.size()) return false;
-  std::size_t beyond = 0;
+  std::vector<std::size_t> beyond;
+  if (!fit.area || fit.area->areas.size() != fit.used.size()) return beyond;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
-    beyond += !fit.area->predicts(i) && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit);
-  return beyond > kFew;
+    if (!fit.area->predicts(i) && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit))
+      beyond.push_back(fit.used[i]);
+  if (beyond.size() <= kFew) beyond.clear();
+  return beyond;
+}
+
+/// Of these points, the one at the smallest shear in each run.
+std::vector<std::size_t> first_of_runs(const Dataset& data, const std::vector<std::size_t>& points) {
+  std::map<std::size_t, std::size_t> first;
+  for (const std::size_t i : points) {
+    const auto [known, is_new] = first.emplace(data.points[i].curve, i);
+    if (!is_new && data.points[i].shear() < data.points[known->second].shear()) known->second = i;
+  }
+  std::vector<std::size_t> list;
+  for (const auto& [run, i] : first) list.push_back(i);
+  return list;
 }
 
 /// For runs too short for the other tests. Noise with proportions other than assumed shows in the residuals of
@@ -94,7 +109,9 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (const BudgetPart* part = far_from_stated(fit))
     return part->constant + " lies " + rounded(std::abs(part->pull), 2) + " of its standard errors " +
            (part->pull < 0 ? "below" : "above") + " what was stated: check it";
-  if (slides(fit)) return "points lie beyond the last equilibrium: cut the runs at the onset of sliding";
+  if (const auto sliding = sliding_points(fit); !sliding.empty())
+    return "points lie beyond the last equilibrium: cut the runs at the onset of sliding" +
+           cut_at(first_of_runs(data, sliding), data, fit);
   if (fit.consistency && fit.consistency->pinned)
     return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
            "runs do not determine the parameters";

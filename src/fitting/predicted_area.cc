@@ -148,7 +148,9 @@ Goodness goodness_of(std::size_t n, const Residual& residual, const Target& targ
     result.max_abs_residual = std::fmax(result.max_abs_residual, std::abs(r));
   }
   result.rmse = std::sqrt(squares / static_cast<double>(count));
-  if (count >= 2 && scatter > 0) result.r2 = 1 - squares / scatter;
+  // the mean of equal numbers differs from them by roundings
+  constexpr double kEqual = 1e-24;
+  if (count >= 2 && scatter > kEqual * mean * mean * weights) result.r2 = 1 - squares / scatter;
   return result;
 }
 

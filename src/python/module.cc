@@ -1,6 +1,7 @@
 // The engine as the Python module mixity._core: arrays in, results as JSON and arrays out. The Python interface is in
 // mixity/*.py.
 #include "base/files.h"
+#include "base/number_text.h"
 #include "cli/program.h"
 #include "dataset/table/columns.h"
 #include "python/bindings.h"
@@ -38,5 +39,6 @@ NB_MODULE(_core, m) {
     const nb::gil_scoped_release released;
     return mixity::cli::run_program(words);
   });
+  m.def("rounded", &mixity::rounded, nb::arg("value"), nb::arg("digits"));
   m.def("version", [] { return MIXITY_VERSION; });
 }

@@ -4,6 +4,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
+#include "analysis/readers_units.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "mechanics/contact_model.h"
@@ -112,6 +113,7 @@ FitTable fit_table(const Analysis& result) {
 }
 
 std::string table_text(const Analysis& result) {
+  if (const auto shown = in_readers_units(result)) return table_text(*shown);
   FitTable table = fit_table(result);
   std::vector<std::vector<std::string>> lines{table.short_headings};
   for (auto& row : table.rows) {

@@ -6,6 +6,7 @@
 
 #include "analysis/judgement.h"
 #include "analysis/readable.h"
+#include "analysis/readers_units.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "dataset/pull_off.h"
@@ -137,6 +138,7 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
 }  // namespace
 
 std::string to_text(const Analysis& result) {
+  if (const auto shown = in_readers_units(result)) return to_text(*shown);
   std::ostringstream out;
   write_data(out, result.data, result.request.words);
   if (result.unsheared) out << "    " << unsheared_sentence(*result.unsheared) << '\n';

@@ -1,7 +1,10 @@
 #include "report/report.h"
 
+#include <deque>
 #include <iterator>
+#include <optional>
 
+#include "analysis/readers_units.h"
 #include "analysis/run.h"
 #include "base/files.h"
 #include "report/fit_csv.h"
@@ -20,15 +23,40 @@ std::size_t bytes_of_drawings(const std::vector<OutputFile>& files) {
   return bytes;
 }
 
+/// Each data set in units for readers.
+class ShownData {
+ public:
+  explicit ShownData(const std::vector<ReportedData>& data) : data_(data) {
+    for (const ReportedData& one : data) {
+      auto result = in_readers_units(one.result);
+      if (result) results_.push_back(std::move(*result));
+      changed_.push_back(result ? std::optional(with_result(results_.back(), one)) : std::nullopt);
+    }
+  }
+  const ReportedData& of(std::size_t i) const { return changed_[i] ? *changed_[i] : data_[i]; }
+
+ private:
+  static ReportedData with_result(const Analysis& result, const ReportedData& data) {
+    return {result,           data.stem,  figured_models(result), data.sahli,
+            data.sahli_model, data.peaks, data.predicted_peaks,   answer_of(result)};
+  }
+
+  const std::vector<ReportedData>& data_;
+  std::deque<Analysis> results_;  // whose addresses are kept
+  std::deque<std::optional<ReportedData>> changed_;
+};
+
 }  // namespace
 
 ReportFiles report_files(const std::vector<Analysis>& results, const std::vector<ReportedData>& data,
                          const std::string& folder, const ReportSettings& settings) {
   ReportContent content{settings, {}};
+  const ShownData shown(data);
   const double share = 0.9 / static_cast<double>(data.size());  // of the time
   for (const ReportedData& one : data) {
     const double before = share * static_cast<double>(content.entries.size());
-    content.entries.push_back({&one, data_figures(one)});
+    const ReportedData& for_readers = shown.of(content.entries.size());
+    content.entries.push_back({&one, &for_readers, data_figures(for_readers)});
     std::vector<Figure> figures;
     for (const FigureGroup& group : content.entries.back().figures.groups)
       figures.insert(figures.end(), group.figures.begin(), group.figures.end());

@@ -22,7 +22,8 @@ struct ReportSettings {
 
 /// One data set with its figures.
 struct ReportEntry {
-  const ReportedData* data;
+  const ReportedData* data;   // in the units of the file, for tables and JSON
+  const ReportedData* shown;  // in units for readers, for texts and figures
   DataFigures figures;
 };
 

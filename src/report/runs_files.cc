@@ -127,6 +127,8 @@ std::string runs_toml(const ReducedLogs& logs) {
   std::vector<std::string> paths;
   for (const ReducedLog& one : logs)
     if (paths.empty() || paths.back() != one.forces.path) paths.push_back(one.forces.path);
+  const std::string name = data_name(paths.front());
+  out << "title = " << toml_text(log.metadata.title.empty() ? "runs of " + name : log.metadata.title) << '\n';
   const std::string made = "runs of " + joined(paths, ", ") + ", made by mixity runs";
   out << "source = " << toml_text(log.metadata.source.empty() ? made : log.metadata.source + "; " + made) << '\n';
   if (!log.metadata.note.empty()) out << "note = " << toml_text(log.metadata.note) << '\n';

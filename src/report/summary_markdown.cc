@@ -50,12 +50,12 @@ std::string answer_text(const Answer& answer, const Dataset& data) {
 }
 
 std::string data_set_text(const ReportEntry& entry) {
-  const Analysis& result = entry.data->result;
+  const Analysis& result = entry.shown->result;
   const Dataset& data = result.data;
   std::string text =
-      "## " + escaped(data.name) + "\n\n**Provenance: " + std::string(to_string(data.metadata.provenance)) + ".**";
+      "## " + escaped(data.title()) + "\n\n**Provenance: " + std::string(to_string(data.metadata.provenance)) + ".**";
   if (const auto notice = notice_on(data)) text += " " + std::string(*notice);
-  text += "\n\n" + row_counts(data) + ".\n\n" + answer_text(entry.data->answer, data);
+  text += "\n\n" + row_counts(data) + ".\n\n" + answer_text(entry.shown->answer, data);
   for (const std::string& sentence : findings(result)) text += marked(sentence) + "\n";
   if (!findings(result).empty()) text += "\n";
   const FitTable table = fit_table(result);

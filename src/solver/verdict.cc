@@ -14,7 +14,7 @@ namespace {
 constexpr double kChiSquare95 = 3.841458820694124;  // of one degree of freedom
 
 std::string value_text(const FreeParameter& parameter, double x) {
-  return significant(parameter.shown(x), 4) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+  return rounded(parameter.shown(x), 4) + (parameter.unit.empty() ? "" : " " + parameter.unit);
 }
 
 std::string values_text(const Problem& problem, const std::vector<double>& x) {
@@ -95,8 +95,8 @@ Finding stopped_on_a_slope(const Judgement& judgement) {
       const std::string where = "beyond " + values_text(judgement.problem, best.x) + " the model is not defined here";
       return {{best.x.size() == 1 ? FitStatus::at_bound : FitStatus::not_converged, where}};
     }
-  return {{FitStatus::not_converged, "the solver stopped where the gradient is not zero (relative size " +
-                                         significant(best.stationarity, 2) + ")"}};
+  return {{FitStatus::not_converged,
+           "the solver stopped where the gradient is not zero (relative size " + rounded(best.stationarity, 2) + ")"}};
 }
 
 Finding above_a_start(const Judgement& judgement) {

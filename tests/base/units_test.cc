@@ -104,6 +104,19 @@ TEST(Units, OfAClockAreItsForm) {
 
 TEST(Units, KeepTheTextAsWritten) { EXPECT_EQ(parse_unit("  mJ/m² ")->text, "mJ/m²"); }
 
+TEST(Units, OfOriginHaveACaretInPlaceOfItsMarkup) {
+  EXPECT_EQ(parse_unit("mm\\+(2)")->text, "mm^2");
+  EXPECT_EQ(parse_unit("mJ/m\\+(2)")->text, "mJ/m^2");
+  EXPECT_EQ(parse_unit("m\\+(-1)")->text, "m^-1");
+}
+
+TEST(Units, OfAForceAndAnAreaSuitTheirSizeInSentences) {
+  EXPECT_EQ(readable_unit(0.0077, "N").unit, "mN");
+  EXPECT_EQ(readable_unit(7.7, "N").unit, "N");
+  EXPECT_EQ(readable_unit(4.5e-7, "m^2").unit, "mm^2");
+  EXPECT_EQ(readable_unit(4.5e-7, "m^2").factor, 1e6);
+}
+
 TEST(Units, OfAPlainNumberStandAlone) {
   for (const char* text : {"1", "-", "%"}) EXPECT_EQ(parse_unit(text)->dimension, dimension::none) << text;
   EXPECT_EQ(parse_unit("%")->factor, 0.01);

@@ -31,8 +31,10 @@ TEST(Figures, StandOnOnePageWithTheirEquationsAndWhereThePrintDiffers) {
     EXPECT_NE(page.substr(at, page.find("</figure>", at) - at).find("Equations"), std::string::npos);
   }
   EXPECT_EQ(figures, 14u);
-  for (const char* text : {"href=\"fig6_A_u.pdf\"", "u_u = (3/4)^(2/3) T_u/(3π + P − √(S0² − λ T_u²))^(1/3)",
-                           "The paper prints u_u and A_u with +", "for every λ &gt; 8/9", "Johnson (1996)"})
+  for (const char* text :
+       {"href=\"fig6_A_u.pdf\"",
+        "u<sub>u</sub> = (3/4)^(2/3) T<sub>u</sub>/(3π + P − √(S<sub>0</sub>² − λ T<sub>u</sub>²))^(1/3)",
+        "The paper prints u<sub>u</sub> and A<sub>u</sub> with +", "for every λ &gt; 8/9", "Johnson (1996)"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 

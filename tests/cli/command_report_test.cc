@@ -133,7 +133,7 @@ TEST(Report, OfEnergiesShowsTheirToughness) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/figures/mmb_toughness.svg")));
   const std::string page = content_of(folder.path("out/report.html"));
-  EXPECT_NE(page.find("the data are (G_I, G_II): they have no loads and areas"), std::string::npos);
+  EXPECT_NE(page.find("the data are (G<sub>I</sub>, G<sub>II</sub>): they have no loads and areas"), std::string::npos);
 }
 
 /// Endings of the files of one figure.

@@ -28,8 +28,8 @@ TEST(Definition, StatesEachFieldSoThatItIsReadBackToTheLastBit) {
                                                            {"normal_stiffness", "1.2 kN/m"},
                                                            {"poisson_ratio", "0.3333333333333333"}};
   for (const MetadataField& field : metadata_fields()) {
-    if (field.is_path || field.name == "columns" || field.name == "load" || field.name == "source" ||
-        field.name == "note")
+    if (field.is_path || field.name == "columns" || field.name == "load" || field.name == "title" ||
+        field.name == "source" || field.name == "note")
       continue;
     for (const char* error : {"", " +/- 3.3333333333333335%"}) {
       Metadata metadata;
@@ -47,12 +47,12 @@ TEST(Definition, StatesEachFieldSoThatItIsReadBackToTheLastBit) {
   }
 }
 
-TEST(Definition, HasNeitherLoadNorSourceNorNoteOfAFile) {
+TEST(Definition, HasNeitherLoadNorTitleNorSourceNorNoteOfAFile) {
   Metadata metadata;
-  for (const char* name : {"source", "note"}) set_field(metadata, name, "of one file");
+  for (const char* name : {"title", "source", "note"}) set_field(metadata, name, "of one file");
   set_field(metadata, "load", "4.68 mN");
   const Metadata again = read_back(metadata, {{"P", "Kanal 3 (mN)"}});
-  EXPECT_EQ(again.source + again.note, "");
+  EXPECT_EQ(again.title + again.source + again.note, "");
   EXPECT_FALSE(again.load);
   EXPECT_EQ(again.columns, (std::map<std::string, std::string>{{"P", "Kanal 3 (mN)"}}));
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dataset/load_text.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -78,6 +79,13 @@ TEST(Exclusion, TakesLinesAsTheyAreWritten) {
   EXPECT_EQ(parse_lines(" 4 - 7 ")->first, 4U);
   for (const char* text : {"", "a", "0", "7-4", "4-", "-4", "4-5-6", "1.5", "99999999999999999999"})
     EXPECT_FALSE(parse_lines(text)) << text;
+}
+
+TEST(Exclusion, PointsAreWrittenAsLinesThatItReads) {
+  const Dataset data = load_text("P,T,A\n1,0,5\n1,1,4\n1,2,3\n1,3,2\n1,4,1\n");
+  EXPECT_EQ(lines_text(data, {0, 2, 3, 4}), "2,4-6");
+  EXPECT_EQ(lines_text(data, {4, 3}), "5-6");
+  EXPECT_EQ(lines_text(data, {}), "");
 }
 
 }  // namespace exclusion_test

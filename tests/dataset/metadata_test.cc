@@ -120,9 +120,11 @@ TEST(Metadata, WhatCannotBeUnderstoodIsRefusedWithItsPlace) {
             "2:1: unknown key \"raduis\": did you mean radius? (known: radius, modulus, youngs_modulus, poisson_ratio, "
             "toughness, "
             "toughness_II, "
-            "shear_strength, load_offset, shear_offset, area_offset, approach_offset, area_scale, force_gain, modulus_drift, "
+            "shear_strength, load_offset, shear_offset, area_offset, approach_offset, area_scale, force_gain, "
+            "modulus_drift, "
             "toughness_drift, "
-            "shape, hysteresis, normal_stiffness, pixel, load, rate, fps, table, mode_III, control, provenance, source, note, columns, "
+            "shape, hysteresis, normal_stiffness, pixel, load, rate, fps, table, mode_III, control, provenance, title, "
+            "source, note, columns, "
             "headings, "
             "definition, decimal, "
             "sheet, load_from)"},

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "dataset/exclusion.h"
 #include "fitting/fit.h"
 #include "fitting/measured_runs.h"
 
@@ -74,6 +75,12 @@ TEST(Diagnosis, NamesPointsPastTheOnsetOfSliding) {
   EXPECT_EQ(fit.status, FitStatus::suspect);
   EXPECT_TRUE(fit.message.text().starts_with("12 points lie past the onset of sliding, the first in line 25"))
       << fit.message.text();
+  // the last two points of each run, as an option that cuts them
+  const std::string cut = "cut the runs there (exclude = \"25-26,50-51,75-76,100-101,125-126,150-151\")";
+  EXPECT_NE(fit.message.text().find(cut), std::string::npos) << fit.message.text();
+  exclude(data, {{*parse_lines("25-26"), *parse_lines("50-51"), *parse_lines("75-76"), *parse_lines("100-101"),
+                  *parse_lines("125-126"), *parse_lines("150-151")}});
+  EXPECT_EQ(fitted(data).status, FitStatus::ok);
 }
 
 TEST(Diagnosis, SaysThatErrorsAreUnderstated) {

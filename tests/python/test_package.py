@@ -91,6 +91,12 @@ def test_a_fit_says_what_it_knows(data):
         fits["bk"]
 
 
+def test_large_numbers_are_written_plainly():
+    from mixity import _core
+
+    assert [_core.rounded(x, 3) for x in (1250.0, 123456.0, 0.00012345)] == ["1250", "123000", "0.000123"]
+
+
 def test_bands_hold_the_curve_as_often_as_they_say():
     # of 400 experiments, each with a scatter of A that is stated
     random = np.random.default_rng(3)

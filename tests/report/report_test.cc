@@ -10,6 +10,7 @@
 
 #include "analysis/run.h"
 #include "base/files.h"
+#include "dataset/load_text.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 #include "report/fit_json.h"
@@ -139,6 +140,29 @@ TEST_F(Report, IsTheSameToTheByteWhenMadeAgain) {
   write_report(*results_, data, again.path(), {"mixity report 'a b.toml'", {}});
   for (const char* name : {"report.html", "summary.md", "results.json", "fits.csv", "residuals.csv", "curves.csv"})
     EXPECT_EQ(read_file(again.path(name)), content(name)) << name;
+}
+
+TEST(ReportUnits, OfPagesAreAReadersAndThoseOfTablesTheFiles) {
+  FitRequest request;
+  request.models = {"c"};
+  const std::string csv =
+      "P [Newton],T [Newton],A [mm\\+(2)]\n0.0077,0,0.457\n0.0077,0.05,0.444\n0.0077,0.08,0.425\n0.0077,0.1,0.41\n"
+      "0.0029,0,0.319\n0.0029,0.05,0.289\n0.0029,0.07,0.262\n0.0029,0.08,0.241\n";
+  const std::vector<Analysis> results{run_for_report(
+      request, load_text(csv, "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n"))};
+  const TemporaryFolder folder;
+  write_report(results, {reported_data(results[0], "x")}, folder.path(), {"mixity", {}});
+  const std::string page = read_file(folder.path("report.html"));
+  EXPECT_NE(page.find("T [mN]"), std::string::npos);
+  EXPECT_EQ(page.find("[Newton]"), std::string::npos);
+  EXPECT_EQ(page.find("\\+("), std::string::npos);
+  const std::string summary = read_file(folder.path("summary.md"));
+  EXPECT_NE(summary.find("P [mN]"), std::string::npos);
+  EXPECT_NE(summary.find("mm²"), std::string::npos);
+  const Json json = Json::parse(read_file(folder.path("results.json")));
+  EXPECT_NEAR(json["datasets"][0]["answer"]["jumps"][0]["P"].get<double>(), 0.0077, 1e-12);  // rounding
+  const std::string table = read_file(folder.path("residuals.csv"));
+  EXPECT_NE(table.find(",Newton,mm^2\n"), std::string::npos) << table;
 }
 
 TEST(ReportProgress, RisesToOne) {

@@ -13,7 +13,7 @@ namespace summary_markdown_test {
 /// Without the last line, which names versions.
 std::string summary(const Analysis& result) {
   const ReportedData data = without_figures(result, "example");
-  const std::string text = summary_markdown({{"mixity report example.toml", {}}, {{&data, {}}}, {}});
+  const std::string text = summary_markdown({{"mixity report example.toml", {}}, {{&data, &data, {}}}, {}});
   return text.substr(0, text.rfind("with "));
 }
 

@@ -15,9 +15,7 @@ namespace {
 
 constexpr double kLost = 1e-12, kMostLost = 1e-6;  // errors of f for a warning, and for an error
 
-std::string shown(double value, int digits = 3) {
-  return std::isnan(value) ? "not a number" : significant(value, digits);
-}
+std::string shown(double value, int digits = 3) { return std::isnan(value) ? "not a number" : rounded(value, digits); }
 
 std::string degrees(double psi) { return shown(psi * 180 / pi<double>(), 4) + " deg"; }
 

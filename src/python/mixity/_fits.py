@@ -83,7 +83,7 @@ class Parameter(_Described):
         self.budget = budget
 
     def __repr__(self) -> str:
-        error = "" if self.stderr is None else f" +/- {self.stderr:.2g}"
+        error = "" if self.stderr is None else f" +/- {_core.rounded(self.stderr, 2)}"
         return f"<{self.name} = {self.value}{error} {self.unit}>".replace(" >", ">")
 
 
@@ -361,7 +361,7 @@ class Fits:
         import html
 
         def cell(value):
-            text = "" if value is None else f"{value:.5g}" if isinstance(value, float) else str(value)
+            text = "" if value is None else _core.rounded(value, 5) if isinstance(value, float) else str(value)
             return f"<td>{html.escape(text)}</td>"
 
         rows = []

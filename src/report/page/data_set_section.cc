@@ -10,6 +10,7 @@
 #include "report/fit_table.h"
 #include "report/fit_text.h"
 #include "report/page/document.h"
+#include "report/page/sentence.h"
 
 namespace mixity {
 namespace {
@@ -68,9 +69,10 @@ std::string jumps_table(const Answer& answer, const Dataset& data) {
 /// The first screen of a data set. `figure`: markup of the figure beside the result; empty: none.
 std::string answer_section(const Answer& answer, const Dataset& data, const std::string& figure) {
   if (!answer.fit) return text_element("p", "No fit has a value: see All models.", "alert");
-  std::string words = text_element("p", answer.result, "result") + text_element("p", answer.model);
-  if (!answer.interval.empty()) words += text_element("p", answer.interval);
-  if (!answer.doubt.empty()) words += text_element("p", with_powers(answer.doubt) + ".", "alert");
+  std::string words =
+      element("p", sentence(answer.result), {{"class", "result"}}) + element("p", sentence(answer.model));
+  if (!answer.interval.empty()) words += element("p", sentence(answer.interval));
+  if (!answer.doubt.empty()) words += element("p", sentence(answer.doubt) + ".", {{"class", "alert"}});
   words += budget_bar(answer) + jumps_table(answer, data);
   const std::string box = element("div", element("div", words) + figure, {{"class", "answer"}});
   return answer.cannot_say.empty()
@@ -80,7 +82,7 @@ std::string answer_section(const Answer& answer, const Dataset& data, const std:
 
 std::string table_of_fits(const Analysis& result) {
   std::string text, rows;
-  for (const std::string& sentence : findings(result)) text += text_element("p", with_powers(sentence));
+  for (const std::string& one : findings(result)) text += element("p", sentence(one));
   const FitTable fits = fit_table(result);
   for (const auto& row : fits.rows) {
     std::string cells;
@@ -90,7 +92,7 @@ std::string table_of_fits(const Analysis& result) {
       if (column == 0) attributes.emplace_back("scope", "row");
       if (!row[column].lines.empty()) attributes.emplace_back("data-label", fits.headings[column]);
       std::string lines;
-      for (const std::string& line : row[column].lines) lines += text_element("div", with_powers(line));
+      for (const std::string& line : row[column].lines) lines += element("div", sentence(line));
       cells += element(column == 0 ? "th" : "td", lines, attributes);
     }
     rows += element("tr", cells);
@@ -100,10 +102,9 @@ std::string table_of_fits(const Analysis& result) {
 
 std::string budgets(const Analysis& result) {
   std::string text;
-  if (result.unsheared) text += text_element("p", with_powers(unsheared_sentence(*result.unsheared)) + ".");
+  if (result.unsheared) text += element("p", sentence(unsheared_sentence(*result.unsheared)) + ".");
   for (const FitResult& fit : result.fits) {
-    std::vector<std::string> lines = budget_and_consistency(fit, result);
-    for (std::string& line : lines) line = with_powers(line);
+    const std::vector<std::string> lines = budget_and_consistency(fit, result);
     if (!lines.empty()) text += text_element("h4", "Model " + fit.model) + list_of(lines);
   }
   return text;
@@ -126,9 +127,9 @@ std::string excluded_points(const Analysis& result) {
 
 /// A(T) of the best model; f(psi) without loads. Null if no fit has values.
 const Figure* leading_figure(const ReportEntry& entry) {
-  const FitResult* const fit = entry.data->answer.fit;
+  const FitResult* const fit = entry.shown->answer.fit;
   if (!fit) return nullptr;
-  const std::string& stem = entry.data->stem;
+  const std::string& stem = entry.shown->stem;
   for (const std::string& name : {stem + "_area_" + fit->model, stem + "_toughness"})
     for (const FigureGroup& group : entry.figures.groups)
       for (const Figure& figure : group.figures)
@@ -139,10 +140,10 @@ const Figure* leading_figure(const ReportEntry& entry) {
 /// Whether a figure is about one model alone, and not about the one that the page begins with: paper has no room for
 /// it.
 bool of_another_model(const Figure& figure, const ReportEntry& entry) {
-  const FitResult* const best = entry.data->answer.fit;
-  for (const FitResult& fit : entry.data->result.fits)
-    for (const char* const kind : {"_area_", "_profile_", "_runs_", "_regimes_"})
-      if (const std::string name = entry.data->stem + kind + fit.model;
+  const FitResult* const best = entry.shown->answer.fit;
+  for (const FitResult& fit : entry.shown->result.fits)
+    for (const char* const kind : {"_area_", "_profile_", "_runs_", "_regimes_", "_axes_", "_couplings_"})
+      if (const std::string name = entry.shown->stem + kind + fit.model;
           figure.name == name || figure.name.starts_with(name + "_"))
         return best && fit.model != best->model;
   return false;
@@ -150,30 +151,32 @@ bool of_another_model(const Figure& figure, const ReportEntry& entry) {
 
 /// A data set that a reader opens; the line to click shows its name and result.
 std::string closed_set(const ReportEntry& entry, const std::string& content, bool open) {
-  const Answer& answer = entry.data->answer;
-  std::string line = text_element("h2", entry.data->result.data.name);
+  const Answer& answer = entry.shown->answer;
+  std::string line = text_element("h2", entry.shown->result.data.title());
   if (answer.fit)
-    line += " " + text_element("span", answer.result + ",") + " " + text_element("span", "model " + answer.fit->model);
+    line +=
+        " " + element("span", sentence(answer.result) + ",") + " " + text_element("span", "model " + answer.fit->model);
   if (!answer.fit || answer.fit->status != FitStatus::ok)
     line += " " + text_element("span", answer.fit ? std::string(to_string(answer.fit->status)) : "no fit has a value",
                                "alert");
   // a link with the name as its anchor opens the set, because the anchor is inside
   Attributes attributes{{"class", "set"}};
   if (open) attributes.emplace_back("open", "open");
-  return element("details", element("summary", line) + element("div", content, {{"id", entry.data->stem}}), attributes);
+  return element("details", element("summary", line) + element("div", content, {{"id", entry.shown->stem}}),
+                 attributes);
 }
 
 }  // namespace
 
 std::string data_set_section(const ReportContent& content, const ReportEntry& entry) {
-  const Analysis& result = entry.data->result;
+  const Analysis& result = entry.shown->result;
   const auto drawn = [&](const Figure& figure, bool beside_text) {
     return figure_element(figure, content.drawn.endings.at(figure.name),
                           {"figures/", beside_text, !content.figures_inside, !of_another_model(figure, entry)});
   };
   const Figure* const leading = leading_figure(entry);
   std::string text = provenance_banner(result.data.metadata) +
-                     answer_section(entry.data->answer, result.data, leading ? drawn(*leading, true) : "") +
+                     answer_section(entry.shown->answer, result.data, leading ? drawn(*leading, true) : "") +
                      folded_section(result.fits.size() > 1 ? "All models" : "The fit", table_of_fits(result)) +
                      folded_section("Error budget and consistency", budgets(result));
   for (const FigureGroup& group : entry.figures.groups) {
@@ -189,7 +192,7 @@ std::string data_set_section(const ReportContent& content, const ReportEntry& en
   for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
   if (!reasons.empty()) text += folded_section("Figures left out", list_of(reasons));
   if (!content.figures_inside) return element("section", closed_set(entry, text, content.entries.size() == 1));
-  return element("section", element("h2", xml_escaped(result.data.name), {{"id", entry.data->stem}}) + text);
+  return element("section", element("h2", xml_escaped(result.data.title()), {{"id", entry.shown->stem}}) + text);
 }
 
 }  // namespace mixity

@@ -7,6 +7,7 @@
 #include "report/figures/svg.h"
 #include "report/figures/svg_text.h"
 #include "report/fit_table.h"
+#include "report/page/sentence.h"
 #include "report/page/style.h"
 
 namespace mixity {
@@ -27,21 +28,20 @@ std::string link_to(const std::string& target, const std::string& text) {
 
 std::string list_of(const std::vector<std::string>& items) {
   std::string content;
-  for (const std::string& item : items) content += text_element("li", item);
+  for (const std::string& item : items) content += element("li", sentence(item));
   return element("ul", content);
 }
 
 std::string definitions_of(const std::vector<std::pair<std::string, std::string>>& items) {
   std::string content;
-  for (const auto& [name, value] : items) content += text_element("dt", name) + text_element("dd", value);
+  for (const auto& [name, value] : items) content += element("dt", sentence(name)) + element("dd", sentence(value));
   return element("dl", content);
 }
 
 std::string table_of(const char* css_class, const std::vector<std::string>& headings, const std::string& rows,
                      const std::string& caption) {
   std::string head;
-  for (const std::string& heading : headings)
-    head += element("th", xml_escaped(with_powers(heading)), {{"scope", "col"}});
+  for (const std::string& heading : headings) head += element("th", sentence(heading), {{"scope", "col"}});
   return element("table",
                  (caption.empty() ? "" : text_element("caption", caption)) + element("thead", element("tr", head)) +
                      element("tbody", rows),
@@ -86,8 +86,7 @@ std::string figure_element(const Figure& figure, const std::vector<std::string>&
   std::string files;
   for (const std::string& ending : endings)
     files += link_to(place.folder + figure.name + ending, kNames.at(ending)) + " ";
-  content += element("figcaption", text_element("strong", with_powers(figure.title) + ". ") +
-                                       xml_escaped(with_powers(figure.caption)) + " " +
+  content += element("figcaption", element("strong", sentence(figure.title) + ". ") + sentence(figure.caption) + " " +
                                        element("span", files, {{"class", "files"}}) + notes);
   std::string classes = two ? "wide" : "";
   if (!place.printed) classes += two ? " screen" : "screen";

@@ -23,8 +23,8 @@ std::string report_page(const ReportContent& content) {
   std::vector<std::string> names;
   std::string links, sections;
   for (const ReportEntry& entry : content.entries) {
-    names.push_back(entry.data->result.data.name);
-    links += link_to("#" + entry.data->stem, names.back());
+    names.push_back(entry.shown->result.data.title());
+    links += link_to("#" + entry.shown->stem, names.back());
     sections += data_set_section(content, entry);
   }
   const bool inside = content.figures_inside;

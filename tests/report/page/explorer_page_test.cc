@@ -28,7 +28,7 @@ std::string from_base64(std::string text) {
 /// The JSON between the shell's own text.
 nlohmann::json embedded(const Analysis& result) {
   const ReportedData data = reported_data(result, "x");
-  const std::string page = explorer_page(kShell, {{}, {{&data, {}}}, {}});
+  const std::string page = explorer_page(kShell, {{}, {{&data, &data, {}}}, {}});
   const std::size_t begin = page.find("id=\"data\">") + 10, end = page.find("</script>");
   EXPECT_TRUE(page.starts_with("<p>before</p>")) << page.substr(0, 80);
   EXPECT_TRUE(page.ends_with("</script><p>behind</p>"));
@@ -80,7 +80,7 @@ TEST(ExplorerPage, HasTheLawsOfTheRequestAsTheyAreTyped) {
 TEST(ExplorerPage, IsNoneWithoutAPlaceForData) {
   const Analysis result = shipped("mergel2018");
   const ReportedData data = reported_data(result, "x");
-  EXPECT_EQ(explorer_page("<p>something else</p>", {{}, {{&data, {}}}, {}}), "");
+  EXPECT_EQ(explorer_page("<p>something else</p>", {{}, {{&data, &data, {}}}, {}}), "");
 }
 
 }  // namespace explorer_page_test
