@@ -137,14 +137,17 @@ std::string as_typed(double value, double error, const std::string& unit) {
 }  // namespace
 
 Json as_read(const Dataset& data) {
-  Json told{{"reading", data.reading},
-            {"taken", data.taken},
-            {"ignored", data.ignored_columns},
-            {"notes", list_of(data.notes, [](const Message& note) { return note.text(in_fields); })},
-            {"points", data.points.size()},
-            {"rows", data.rows},
-            {"units", {{"force", data.display.force}, {"area", data.display.area}}},
-            {"notice", data.metadata.provenance == Provenance::reconstructed ? kReconstructedNotice : ""}};
+  Json told{
+      {"reading", data.reading},
+      {"taken", data.taken},
+      {"ignored", data.ignored_columns},
+      {"notes", list_of(data.notes, [](const Message& note) { return note.text(in_fields); })},
+      {"points", data.points.size()},
+      {"rows", data.rows},
+      {"units", {{"force", data.display.force}, {"area", data.display.area}}},
+      {"held",
+       {{"approach", data.holds_approach()}, {"name", data.holds_approach() ? "δ" : "P"}, {"unit", data.held_unit()}}},
+      {"notice", data.metadata.provenance == Provenance::reconstructed ? kReconstructedNotice : ""}};
   Json constants = Json::object();
   const std::span<const Excluded> listed(data.excluded.data(), std::min(data.excluded.size(), kMostExcluded));
   const Metadata& stated = data.metadata;
@@ -152,7 +155,9 @@ Json as_read(const Dataset& data) {
   for (const auto& [name, value, unit] :
        {std::tuple("radius", stated.radius, "m"), std::tuple("modulus", stated.modulus, "Pa"),
         std::tuple("toughness", stated.toughness, "J/m^2"), std::tuple("shear_strength", stated.shear_strength, "Pa"),
-        std::tuple("load_offset", stated.load_offset, "N"), std::tuple("shear_offset", stated.shear_offset, "N")})
+        std::tuple("load_offset", stated.load_offset, "N"), std::tuple("shear_offset", stated.shear_offset, "N"),
+        std::tuple("approach_offset", stated.approach_offset, "m"),
+        std::tuple("normal_stiffness", stated.normal_stiffness, "N/m")})
     if (value) constants[name]["shown"] = as_typed(*value, stated.standard_error(name), unit);
   told["excluded"] = list_of(listed, [&](const Excluded& one) {
     return Json{{"where", data.line_text(one.line)}, {"reason", one.reason}};

@@ -24,6 +24,7 @@ constexpr Button kButtons[] = {
     {"unsheared", "Fit points without shear with a toughness of their ", ""},
     {"loss", "Fit with the loss ", ", which outliers hardly move"},
     {"objective", "Fit with the objective ", ""},
+    {"control", "Read delta as the ", " that is held", false, true},
     {"decimal", "Read ", " as the decimal sign", false, true},
     {"table", "Read table ", "", false, true},
 };
@@ -41,6 +42,7 @@ const Button* button_of(const Remedy::Choice& choice) {
 }
 
 std::string label(const Button& button, std::string value) {
+  if (button.option == "exclude" && value.find_first_of(",-") != std::string::npos) return "Leave out lines " + value;
   if (!button.reads && button.option != "leave_out") std::replace(value.begin(), value.end(), '_', ' ');
   return std::string(button.before) + value + std::string(button.after);
 }

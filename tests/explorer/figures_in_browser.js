@@ -252,6 +252,44 @@ async function remedies(page) {
   await only(['a', 'b', 'c']);
 }
 
+/// Points past the onset of sliding: the remedy is a button, which cuts the runs there.
+async function slidingCut(page) {
+  run(['simulate', '--model=c', '--lambda=0.15', '--loads=2,5,10 mN', '--points=25', '--radius=9.42 mm', '--modulus=2.133 MPa', '--toughness=27 mJ/m^2', '--sigma_A=0.3%', '--sigma_T=0.3%', '--out=slides.csv', '--force']);
+  const [head, ...rows] = fs.readFileSync(path.join(folder, 'slides.csv'), 'utf8').trim().split('\n').map(row => row.split(','));
+  const [T, A] = ['T [mN]', 'A [mm^2]'].map(name => head.indexOf(name));
+  rows.forEach((row, i) => { if (i % 25 > 22) { row[T] *= 1.25; row[A] *= .8; } });
+  fs.writeFileSync(path.join(folder, 'slides.csv'), [head, ...rows].map(row => row.join(',')).join('\n') + '\n');
+  await drop(page, ['slides.csv', 'slides.toml'].map(name => path.join(folder, name)));
+  expect(/cut the runs/.test(await page.textContent('.doubt')), `sliding: ${await page.textContent('#told')}`);
+  await page.click('.doubt button:has-text("Leave out lines 25-26,50-51,75-76")');
+  await page.waitForFunction(() => /exclude = 25-26/.test(document.getElementById('set-options').textContent) && window.explorer.experiment.result && !window.explorer.experiment.result.answer.doubt);
+  same(await fitsOn(page), fitsOf(['slides.csv', '--models=a,b,c', '--exclude=25-26,50-51,75-76']), 'cut at the onset of sliding');
+}
+
+/// A held approach: asked for by a button, named δ in the figures, fitted as by the program, with its zero and the machine.
+async function approachData(page) {
+  run(['simulate', '--control=approach', '--model=c', '--lambda=0.05', '--loads=3,8,15 um', '--points=15', '--radius=9.42 mm', '--modulus=2.133 MPa', '--toughness=27 mJ/m^2', '--out=approach.csv', '--force']);
+  await page.setInputFiles('#file', path.join(folder, 'approach.csv'));
+  await page.click('#trouble button:has-text("Read delta as the approach that is held")');
+  await page.waitForFunction(() => /radius/.test(document.getElementById('trouble').textContent) && /control = approach/.test(document.getElementById('set-options').textContent));
+  for (const [name, value] of [['radius', '9.42 mm'], ['modulus', '2.133 MPa'], ['toughness', '27 mJ/m^2']]) await page.fill(`[name=${name}]`, value);
+  await page.click('#constants > button');
+  await page.waitForFunction(() => window.explorer.experiment.result);
+  await fitted(page);
+  const program = words => fitsOf(['approach.csv', '--models=a,b,c', ...words]);
+  same(await fitsOn(page), program([]), 'a held approach');
+  const names = (await seriesOf(page, 'all')).map(({title}) => title);
+  expect(names.includes('δ = 15 um') && !names.some(name => name.startsWith('P =')), `runs of a held approach: ${names}`);
+  expect(/^delta/.test(await page.textContent('.jumps th')), `jumps of a held approach: ${await page.textContent('.jumps')}`);
+  await page.evaluate(() => { document.getElementById('more').open = true; });
+  await page.fill('[name=approach_offset]', '0 +/- 0.2 um');
+  await page.fill('[name=normal_stiffness]', '1.2 kN/m');
+  await page.click('#constants > button');
+  await page.waitForFunction(() => window.explorer.experiment.result?.fits.datasets[0].fits[0].parameters.approach_offset);
+  await fitted(page);
+  same(await fitsOn(page), program(['--approach_offset=0 +/- 0.2 um', '--normal_stiffness=1.2 kN/m']), 'a held approach with its zero');
+}
+
 /// Pull-off loads are drawn with the curve of the model, on which a load of the program lies.
 async function pullOff(page) {
   const rows = [[-1.1, 0], [-1, 5], [-.9, 10], [-.7, 14], [-.5, 18], [-.2, 22]];
@@ -307,7 +345,7 @@ async function main() {
   page.on('pageerror', error => told.push(error.message));
   await page.goto(address);
   await page.waitForFunction(() => window.explorer);
-  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, pullOff, storedResults])
+  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, slidingCut, approachData, pullOff, storedResults])
     await part(page).catch(error => failures.push(`${part.name}: ${error.stack}`));
   expect(told.length === 0, `the console says: ${told.join('; ')}`);
   console.log(`painted after ${paint.toFixed(0)} ms, ready after ${ready.toFixed(0)} ms`);

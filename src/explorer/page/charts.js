@@ -12,7 +12,7 @@ const charts = new Set();
 const atOnce = 100;  // marks that are drawn one by one; more as one path, which is ten times as fast
 export const token = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 export const color = i => token(`--color-${i}`);
-export const colorOfModel = {a: 1, b: 2, c: 3};
+export const colorOfModel = {a: 1, b: 2, c: 3, bk: 5}, ownColor = 4;  // of a law of the user's
 const looks = ['circle', 'rect', 'triangle', 'diamond', 'arrow'];
 /// Colour and mark of a run: 35 pairs, then the same ones filled.
 export const lookOfRun = i => ({color: color(i % 7), symbol: looks[i % 5], filled: Math.floor(i / 35) % 2 === 1});

@@ -259,7 +259,7 @@ export class Experiment {
     this.lines = lines;
     showOptions(this);
     const selected = this.selected();
-    $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `P = ${shown(run.P)}`)}</option>`).join('');
+    $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `${told.held.name} = ${shown(run.P)}`)}</option>`).join('');
     if (selected < this.kept.length) $('run').value = String(selected);
     $('measured').hidden = false;
     $('crop').hidden = !told.runs?.length;
@@ -342,11 +342,11 @@ export class Experiment {
     this.setLoad();
   }
 
-  /// The points behind the curves of the sliders.
+  /// The points behind the curves of the sliders, which are those of a held load.
   showBehind() {
     const {told, result} = this, contact = result?.drawn.contact;
     const keeps = (i, values) => values.filter((_, k) => this.figures.keeps(i)(k));
-    this.models.show(told?.runs && contact ? {word: told.notice ? 'reconstructed' : 'measured',
+    this.models.show(told?.runs && contact && !told.held.approach ? {word: told.notice ? 'reconstructed' : 'measured',
       runs: told.runs.map((run, i) => ({P: run.P * contact.mN, T: keeps(i, run.T).map(T => T * contact.mN), A: keeps(i, run.A).map(A => A * contact.mm2)}))} : null);
   }
 

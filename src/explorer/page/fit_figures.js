@@ -1,7 +1,7 @@
 // The figures of the user's file: all runs with a model, its residuals and axes, and one run point by point, for cropping.
 import {escape, named} from './answer.js';
 import {among, lineText} from './files.js';
-import {areas, color, colorOfModel, degrees, figure, handle, inTurn, line, lookOfRun, marks, removeHandles, shown, star} from './charts.js';
+import {areas, color, colorOfModel, degrees, figure, handle, inTurn, line, lookOfRun, marks, ownColor, removeHandles, shown, star} from './charts.js';
 import {laws} from './laws.js';
 
 const $ = id => document.getElementById(id);
@@ -76,9 +76,9 @@ export class FitFigures {
     return [experiment.name + (told?.notice ? ' (reconstructed, not measured)' : ''), ...of, constants.join(', ')];
   }
 
-  /// The name of a run in keys: its load, and its own name where another run has the same load.
+  /// The name of a run in keys: its load or held approach, and its own name where another run has the same load.
   runName(i) {
-    const {told} = this.experiment, name = k => withUnit(`P = ${shown(told.runs[k].P)}`, told.units.force);
+    const {told} = this.experiment, {name: held, unit} = told.held, name = k => withUnit(`${held} = ${shown(told.runs[k].P)}`, unit);
     const twice = told.runs.some((_, k) => k !== i && name(k) === name(i));
     return twice && told.runs[i].name ? `${name(i)} (${told.runs[i].name})` : name(i);
   }
@@ -126,7 +126,7 @@ export class FitFigures {
   }
 
   title({model}) { return named(`model ${model}`); }
-  tint({model}) { return color(colorOfModel[model[0]] && model !== 'bk' ? colorOfModel[model[0]] : model === 'bk' ? 5 : 4); }
+  tint({model}) { return color(colorOfModel[model.replace(/-ellipse.*/, '')] ?? ownColor); }
 
   drawEnergies(models) {
     const {told} = this.experiment, {psi, f} = told.energies, word = told.notice ? 'reconstructed' : 'measured';

@@ -1,5 +1,5 @@
 // The sliders, and the models at their values.
-import {colorOfModel, figure, shown} from './charts.js';
+import {colorOfModel, figure, ownColor, shown} from './charts.js';
 import {drawCurve, sentence} from './curves.js';
 import {laws, meaning} from './laws.js';
 import {RegimeMap} from './map.js';
@@ -7,7 +7,6 @@ import {slider} from './slider.js';
 import {byDecades, quantities, read, valid, write} from './state.js';
 
 const models = ['a', 'b', 'c'];
-const ownColor = 4;
 const asSentence = text => `${text[0].toUpperCase()}${text.slice(1)}.`;
 
 export class Models {

@@ -5,6 +5,8 @@ import {escape} from './answer.js';
 const $ = id => document.getElementById(id);
 const texts = {'fit-options': 'options', 'other-constants': 'more'};  // a field's id, and where its values are kept
 
+const ofTheFile = ['shape', 'control'];  // constants that buttons set, and that can be undone like options
+
 const textOf = values => Object.entries(values).map(([name, value]) => `${name}=${value}`).join('; ');
 
 /// {name: value} of a text. A switch is stated by its name alone.
@@ -17,7 +19,7 @@ function optionsIn(text) {
 export function showOptions(experiment) {
   if (!experiment.options.exclude) delete experiment.options.exclude;
   for (const [id, key] of Object.entries(texts)) $(id).value = $(id).dataset.shown = textOf(experiment[key]);
-  const stated = {...experiment.options, ...(experiment.more.shape === 'ellipse' ? {shape: 'ellipse'} : {})};
+  const stated = {...experiment.options, ...Object.fromEntries(ofTheFile.filter(name => /^(ellipse|approach)$/.test(experiment.more[name])).map(name => [name, experiment.more[name]]))};
   $('set-options').hidden = !Object.keys(stated).length;
   $('set-options').innerHTML = Object.entries(stated).map(([name, value]) => `<button type="button" data-without="${escape(name)}" aria-label="Undo ${escape(name)}">${escape(`${name} = ${value}`)} ✕</button>`).join(' ');
 }
@@ -39,7 +41,7 @@ export function follow(experiment, {option, value, adds, reads}) {
 
 export function undo(experiment, option) {
   delete experiment.options[option];
-  if (option === 'shape') delete experiment.more.shape;
+  if (ofTheFile.includes(option)) delete experiment.more[option];
   if (option === 'exclude') experiment.kept = [];  // which are then found again
   showOptions(experiment);
   return experiment.readAgain();
