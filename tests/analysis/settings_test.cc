@@ -99,7 +99,7 @@ TEST(Settings, AndConstantsHaveTheNamesOfTheExplorersFields) {
     const std::string name = form.substr(at, form.find('"', at) - at);
     EXPECT_TRUE(std::ranges::any_of(metadata_fields(), [&](const auto& field) { return field.name == name; })) << name;
   }
-  EXPECT_EQ(fields, 6u);
+  EXPECT_EQ(fields, 8u);  // with the stiffness and the zero of a held approach
 }
 
 TEST(Settings, FormatsOfFiguresAreAList) {
