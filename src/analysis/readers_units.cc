@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/units.h"
+#include "dataset/constants.h"
 
 namespace mixity {
 namespace {
@@ -63,6 +64,7 @@ Changes change_units(const Dataset& data, DisplayUnits& units) {
 /// Multiplies numbers in `unit`, which is changed, too.
 class Change {
  public:
+  Change() = default;
   Change(const Changes& changes, std::string& unit) {
     const auto found = changes.find(unit);
     if (unit.empty() || found == changes.end()) return;
@@ -83,6 +85,7 @@ class Change {
 };
 
 Change change(FittedParameter& one, const Changes& changes) {
+  if (one.name == kConstantNames[kRadius]) return {};  // a length of another size, as it was written
   const Change by(changes, one.unit);
   by.all(one.value, one.stderr_, one.lower, one.upper);
   if (one.interval) by.all(one.interval->low, one.interval->high);
@@ -117,7 +120,7 @@ void change(FitResult& fit, const Changes& changes, double area) {
   if (fit.budget) {
     const Change of_parameter(changes, fit.budget->unit);
     for (ExactConstant& one : fit.budget->exact) {
-      const Change by(changes, one.unit);
+      const Change by = one.constant == kConstantNames[kRadius] ? Change() : Change(changes, one.unit);
       of_parameter(one.effect);
       by(one.step);
       if (one.score) by(one.score->value);

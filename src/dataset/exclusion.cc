@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <span>
 
 #include "base/phrases.h"
@@ -90,6 +91,10 @@ std::string lines_text(const Dataset& data, const std::vector<std::size_t>& poin
   std::vector<std::size_t> lines;
   for (const std::size_t i : points) lines.push_back(data.points[i].line);
   std::sort(lines.begin(), lines.end());
+  // Runs side by side share lines: excluding one would exclude points that are not listed.
+  const auto is_listed = [&](const Point& point) { return std::binary_search(lines.begin(), lines.end(), point.line); };
+  if (std::count_if(data.points.begin(), data.points.end(), is_listed) != std::ssize(lines)) return {};
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   std::vector<std::string> ranges;
   for (std::size_t from = 0, to; from < lines.size(); from = to) {
     to = from + 1;

@@ -13,16 +13,16 @@
 namespace mixity {
 namespace {
 
-enum Problem { kEmpty, kNotFinite, kNegative, kOutOfRange };
+enum Problem { kEmpty, kMissing, kNotFinite, kNegative, kOutOfRange };
 
 /// Why the value of a column cannot be used, as a fixed text, since a file may have millions of such values.
 std::string_view reason_of(ColumnId id, Problem problem) {
   static const auto kTexts = [] {
-    std::array<std::array<std::string, 4>, kColumnCount> texts;
+    std::array<std::array<std::string, 5>, kColumnCount> texts;
     for (std::size_t i = 0; i < kColumnCount; ++i)
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < 5; ++k)
         texts[i][k] = std::string(to_string(static_cast<ColumnId>(i))) +
-                      std::array{" is empty", " is not finite", " < 0", " is out of range"}[k];
+                      std::array{" is empty", " is missing", " is not finite", " < 0", " is out of range"}[k];
     return texts;
   }();
   return kTexts[static_cast<std::size_t>(id)][problem];
@@ -43,7 +43,7 @@ struct PointReader::Numbers {
     if (!unusable.empty()) return value;
     const Column& column = *columns.find(id);
     if (!number_at(path, row, column.index, to_string(id), value, error))
-      unusable = reason_of(id, kEmpty);
+      unusable = reason_of(id, row[column.index].empty() ? kEmpty : kMissing);  // "NA", -9999
     else if (!std::isfinite(value *= column.unit.factor))
       unusable = reason_of(id, kNotFinite);
     if (error && *error >= 0) *error *= column.unit.factor;

@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t kMostConstants = 5;
 constexpr double kNear = 20;  // the misfit beyond that of another model up to which a cause is of interest
 
+bool lie_together(const FitResult& fit) { return fit.consistency && fit.consistency->residuals.together; }
+
 /// Exact constants that the tests suggest to free, and uncertain ones far from their stated values.
 std::vector<Constant> suspected_constants(const FitResult& fit) {
   constexpr double kFar = 3;  // standard errors of a prior
@@ -29,6 +31,12 @@ std::vector<Constant> suspected_constants(const FitResult& fit) {
   for (const BudgetPart& part : fit.budget->parts)
     if (std::abs(part.pull) > kFar) list.emplace_back(-part.pull * part.pull, constant_named(part.constant).value());
   std::stable_sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  // A memory as long as the runs hides what differs between them.
+  if (lie_together(fit))
+    for (const Constant drift : {kModulusDrift, kToughnessDrift})
+      if (std::any_of(fit.budget->exact.begin(), fit.budget->exact.end(),
+                      [&](const ExactConstant& one) { return one.constant == kConstantNames[drift]; }))
+        list.emplace_back(0, drift);
   std::vector<Constant> constants;
   const auto has = [&](Constant c) { return std::find(constants.begin(), constants.end(), c) != constants.end(); };
   for (const auto& [fall, constant] : list) {
@@ -46,7 +54,8 @@ std::vector<std::string> differing_quantities(const FitResult& fit) {
   const double tests = static_cast<double>(fit.run_tests.size());
   for (const RunTest& test : fit.run_tests) {
     const double p = std::min({test.all.p_value, test.odd.p_value, test.drift.p_value});
-    if (p * tests < kChance && test.quantity != kConstantNames[kModulus]) list.push_back(test.quantity);
+    const bool differs = p * tests < kChance || lie_together(fit);
+    if (differs && test.quantity != kConstantNames[kModulus]) list.push_back(test.quantity);
   }
   return list;
 }

@@ -264,7 +264,7 @@ bool Fitter::settle_weights(Verdict& verdict) {
   constexpr double kSettled = 1e-12, kEnough = 1e-8;  // relative change of a parameter
   std::vector<double> x = verdict.best.x;
   double change = 0;
-  bool near = !x.empty();
+  bool near = !x.empty(), judged = false;  // judged: verdict is that of the settled weights
   const auto take = [&](const std::vector<double>& next) {
     const double last = std::exchange(change, 0.0);
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -282,11 +282,19 @@ bool Fitter::settle_weights(Verdict& verdict) {
     }
     verdict = minimum_of(*problem_);
     if (verdict.best.x.empty()) break;
-    near = !x.empty() && !take(verdict.best.x) && change > kEnough;  // another minimum is lower
-    if (x.empty())
+    if (x.empty()) {
       x = verdict.best.x;
-    else if (!near)
-      break;
+      near = true;
+      continue;
+    }
+    take(verdict.best.x);
+    judged = change <= kEnough;
+    if (judged) break;
+    near = true;  // another minimum is lower
+  }
+  if (!judged && !verdict.best.x.empty()) {
+    verdict = minimum_of(*problem_);
+    if (!verdict.best.x.empty()) take(verdict.best.x);
   }
   if (!(change > kEnough && (verdict.status == FitStatus::ok || verdict.status == FitStatus::multimodal))) return true;
   verdict.status = FitStatus::not_converged;

@@ -96,7 +96,7 @@ class Fitter {
   std::vector<double> first_minimum_;     // of the first of the rounds that find the errors
   std::optional<CourseTest> off_course_;  // the course because of which the fitted errors were discarded
   bool off_with_correlations_ = false;    // it came with correlations of neighbours
-  bool independent_ = false;              // neighbours: as correlations led away from the data
+  bool independent_ = false;              // neighbours are taken as independent
   bool given_up_ = false;                 // no explanation, whatever the remaining rounds find
   double unit_ = 1;                       // divisor of the data's residuals in cost_
   FitResult result_;

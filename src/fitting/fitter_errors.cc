@@ -30,6 +30,24 @@ void drop(std::initializer_list<std::vector<double>*> lists) {
   for (std::vector<double>* const list : lists) *list = std::vector<double>();
 }
 
+/// Of two estimates: the largest difference of a correlation or of the logarithm of a size.
+double distance(const ErrorModels& one, const ErrorModels& other) {
+  double most = std::max(std::abs(one.correlations.first - other.correlations.first),
+                         std::abs(one.correlations.second - other.correlations.second));
+  const auto compare = [&](double x, double y) {
+    if (x > 0 && y > 0) most = std::max(most, std::abs(std::log(x / y)));
+  };
+  for (const auto axis : {&ErrorModels::T, &ErrorModels::A})
+    if (one.*axis && other.*axis) {
+      compare((one.*axis)->constant, (other.*axis)->constant);
+      compare((one.*axis)->share, (other.*axis)->share);
+    }
+  if (one.run_factors.size() == other.run_factors.size())
+    for (std::size_t run = 0; run < one.run_factors.size(); ++run)
+      compare(one.run_factors[run], other.run_factors[run]);
+  return most;
+}
+
 /// Errors between two estimates with the same parts.
 ErrorModels halfway(const ErrorModels& one, ErrorModels other) {
   const auto mean = [](double x, double y) { return std::sqrt((x * x + y * y) / 2); };
@@ -67,7 +85,7 @@ Verdict Fitter::minimum_with_its_errors() {
     if (x.empty() && !problem_->parameters().empty()) x = minimum_of(*problem_).best.x;
     const std::vector<double> start = x;
     bool described = settle_errors(x);
-    if (!described && off_with_correlations_ && purpose_ != Purpose::tried) {
+    if (!described && off_with_correlations_ && !independent_ && purpose_ != Purpose::tried) {
       independent_ = true;  // a few outliers can pass for correlated noise, under which the fit wanders off
       x = start;
       off_course_.reset();
@@ -87,17 +105,20 @@ Verdict Fitter::minimum_with_its_errors() {
     if (described && !options_.by_run.empty()) starting_.near = x;
     Verdict verdict = minimum_of(*problem_);
     starting_.near = near;
-    if (!described) return expects_distances(verdict.best.x) ? minimum_of(*problem_) : verdict;
-    // The errors may have been found in a basin that is not the lowest.
+    // The errors may have been found, or the residuals judged, in a basin that is not the lowest.
     std::vector<double> residuals(cost_->residual_count());
     const auto settled = x.empty() ? std::nullopt : sum_of_squares(*cost_, x, residuals);
     const double unit = verdict.best.sum_of_squares / static_cast<double>(std::max<std::size_t>(residuals.size(), 1));
     const bool elsewhere =
         settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled - kSamePlace * unit;
-    if (!elsewhere || again == kMost) return verdict;
+    const bool ends = !elsewhere || again == kMost;
+    if (ends && !described && expects_distances(verdict.best.x)) return minimum_of(*problem_);
+    if (ends) return verdict;
     x = verdict.best.x;
-    if (leads_to_the_same_errors(x)) return verdict;
+    if (described && leads_to_the_same_errors(x)) return verdict;
     restore_errors();
+    off_course_.reset();
+    off_with_correlations_ = independent_ = false;
   }
 }
 
@@ -135,13 +156,13 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   const bool by_run = !options_.by_run.empty(), many = prepared_.used.size() >= kManyPoints && !by_run;
   const int more = by_run ? 6 : 0, weighting = (many ? 1 : 2) + more, choosing = 2 * weighting - more,
             refining = 12 + more;
-  constexpr double kSettled = 1e-10;  // relative change of an error or a residual; an interval changes as much
+  constexpr double kSettled = 1e-10;        // relative change of an error or a residual; an interval changes as much
   constexpr double kSettledOfTrial = 1e-5;  // an explanation shows four digits
-  constexpr double kLeap = 0.1;       // relative change in one of the last rounds
-  constexpr double kLeft = 3e-4;      // of many points: standard errors by which all further rounds would move the fit
-  constexpr double kEnough = 1e-4;    // of many points: standard errors to which a round finds the minimum
-  constexpr double kNext = 1e-3;      // else: the same, in units of the errors' last relative change
-  constexpr double kSwing = 0.7;          // of the last change: rounds that settle change far less each time
+  constexpr double kLeap = 0.1;             // relative change in one of the last rounds
+  constexpr double kLeft = 3e-4;    // of many points: standard errors by which all further rounds would move the fit
+  constexpr double kEnough = 1e-4;  // of many points: standard errors to which a round finds the minimum
+  constexpr double kNext = 1e-3;    // else: the same, in units of the errors' last relative change
+  constexpr double kSwing = 0.5;    // of the distance from the last errors, that from those before them
   constexpr double kSurely = 1e-6;
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
@@ -150,10 +171,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   SolverOptions quick = options_of_rounds();
   const double points = static_cast<double>(prepared_.used.size());
   const SolverOptions exactly;
-  double last_change = 1, earlier_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
+  double last_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
   const bool free = !problem_->parameters().empty();
   if (free && x.empty()) return true;
-  ErrorModels models;
+  ErrorModels models, before_last;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
   double largest = 0;  // change of the last rounds
@@ -238,7 +259,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
                        std::abs(found->correlations.second - models.correlations.second)});
     const ErrorModels last = std::exchange(models, *found);
     // Limits of outliers make rounds swing between two answers: halfway they settle.
-    if (round > refining && last_change > kSwing * earlier_change) models = halfway(last, models);
+    if (round > refining && distance(models, before_last) < kSwing * distance(models, last))
+      models = halfway(last, models);
+    before_last = last;
     if (models.T) errors.model_T = models.T;
     if (models.A) errors.model_A = models.A;
     errors.run_factors = models.run_factors;
@@ -253,7 +276,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (many && !errors.correlations.any()) drop({&errors.load_T});
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
-    earlier_change = std::exchange(last_change, change);
+    last_change = change;
     if (change <= (purpose_ == Purpose::tried ? kSettledOfTrial : kSettled) && round > choosing) break;
     if (many) {
       const double before = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));

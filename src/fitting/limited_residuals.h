@@ -24,7 +24,8 @@ class LimitedResiduals {
       : data_(data), used_(used), residuals_(residuals) {
     constexpr double kBend = 5;  // times the usual size: one of two million normal deviations is larger
     constexpr double kSeveral = 2, kShare = 0.06;  // points of a run on one side, and their share of it
-    constexpr std::size_t kSome = 20'000;          // residuals whose median tells the usual size
+    constexpr double kOfUnsheared = 0.3;
+    constexpr std::size_t kSome = 20'000;  // residuals whose median tells the usual size
     std::vector<double> sizes;
     const std::size_t n = residuals.size(), step = n / kSome + 1;
     for (std::size_t i = 0; i < n; i += step) sizes.push_back(residuals[i]);
@@ -35,11 +36,19 @@ class LimitedResiduals {
       double points = 0, above = 0, below = 0;
     };
     std::vector<Counts> runs(data.curves.size());
+    Counts unsheared;
+    const PointPlaces places(data);
     for (std::size_t i = 0; i < n; ++i) {
-      Counts& run = runs[data.points[used[i]].curve];
-      ++run.points;
-      if (is_far(residuals[i])) ++(residuals[i] > 0 ? run.above : run.below);
+      const Point& point = data.points[used[i]];
+      const auto count = [&](Counts& these) {
+        ++these.points;
+        if (is_far(residuals[i])) ++(residuals[i] > 0 ? these.above : these.below);
+      };
+      count(runs[point.curve]);
+      if (places.at(used[i]).unsheared) count(unsheared);
     }
+    // Areas without shear may have a toughness of their own.
+    if (std::max(unsheared.above, unsheared.below) > std::max(kSeveral, kOfUnsheared * unsheared.points)) return;
     const auto limit = [&](double far, double points) {
       return far <= std::max(kSeveral, kShare * points) ? most : std::numeric_limits<double>::infinity();
     };

@@ -7,6 +7,7 @@
 #include "mechanics/curve_outline.h"
 #include "mechanics/equilibrium.h"
 #include "mechanics/nearest_block.h"
+#include "mechanics/outline_turn.h"
 
 namespace mixity {
 namespace {
@@ -59,7 +60,7 @@ class Distances {
   struct Left {
     std::size_t index;
     Place place;
-    bool at_end;
+    bool at_end, is_nearest = false;
   };
 
   /// Takes the caller's starting points. False if a point of the block has none.
@@ -96,60 +97,26 @@ class Distances {
     block_.settled[slot] = block_.at_end[slot] = 0;
   }
 
-  /// Whether the place that was found is the nearest: the outline approaches the point there and turns little, elsewhere
-  /// only farther away than by its distance and the size of its segments, and the distance has a clear minimum. Of laws
-  /// whose curves bend on no smaller scale than that of the outline's nodes.
+  /// Whether the place that was found is the nearest: the outline approaches the point there and turns little,
+  /// elsewhere only farther away than by its distance and the size of its segments, and the distance has a clear
+  /// minimum. Of laws whose curves bend on no smaller scale than that of the outline's nodes.
   bool is_nearest(const Left& left, const std::vector<Approach>& found) {
     constexpr double kClear = 0.3;  // of the second derivative that the distance from a straight line has
     if constexpr (HasPackedForm<Law>) {
-      if (!std::isfinite(left.place.distance) || left.at_end) return false;
+      if (!std::isfinite(left.place.distance) || left.at_end || found.empty()) return false;
       set_slot(0, left);
-      const Turn turn = turn_of(found[0].segment);
+      const std::vector<PlanePlace>& outline = table_->places();
+      const double per_T = block_.per_T[0], per_A = block_.per_A[0];
+      const Turn turn = turn_of(outline, found[0].segment, per_T, per_A);
       if (!(left.place.A <= turn.highest && left.place.A >= turn.lowest && turn.sine < 0.5)) return false;
       for (std::size_t k = 1; k < found.size(); ++k)
-        if (!(found[k].distance - size_of(found[k].segment) > left.place.distance)) return false;
+        if (!(found[k].distance - size_of(outline, found[k].segment, per_T, per_A) > left.place.distance)) return false;
       const Local q = local_form(family_, block_, 0);
       const double least = curvature(q);
       // beyond the convex side of the curve no other place is near
       return least > kClear && (least >= 1 || (1 - kClear) * turn.radius > 2 * left.place.distance);
     }
     return false;
-  }
-
-  /// How three successive segments of the outline turn, in units of the errors.
-  struct Turn {
-    double lowest, highest;  // areas
-    double sine, radius;     // the larger sine of their two angles, the smaller radius of a circle through three nodes
-  };
-  Turn turn_of(int segment) const {
-    const auto node = [&](int k) {
-      const PlanePlace place = table_->places()[static_cast<std::size_t>(std::min(std::abs(k), table_->last()))];
-      return k < 0 ? PlanePlace{-place.T, place.A} : place;  // the curve is even in T
-    };
-    const PlanePlace nodes[] = {node(segment - 1), node(segment), node(segment + 1), node(segment + 2)};
-    Turn turn{nodes[3].A, std::max(nodes[0].A, nodes[1].A), 0, std::numeric_limits<double>::infinity()};
-    double x = 0, z = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double dx = (nodes[k + 1].T - nodes[k].T) * block_.per_T[0];
-      const double dz = (nodes[k + 1].A - nodes[k].A) * block_.per_A[0];
-      if (k > 0) {
-        const double length = std::sqrt((x * x + z * z) * (dx * dx + dz * dz));
-        const double sine = x * dx + z * dz > 0 ? std::abs(x * dz - z * dx) / length : 1.0;
-        turn.sine = std::max(turn.sine, sine);
-        turn.radius = std::min(turn.radius, std::sqrt(std::pow(x + dx, 2) + std::pow(z + dz, 2)) / (2 * sine));
-      }
-      x = dx;
-      z = dz;
-    }
-    return turn;
-  }
-
-  /// The extent of these segments in T and A, in units of the errors.
-  double size_of(int segment) const {
-    const std::vector<PlanePlace>& nodes = table_->places();
-    const PlanePlace &from = nodes[static_cast<std::size_t>(std::max(segment - 1, 0))],
-                     &to = nodes[static_cast<std::size_t>(std::min(segment + 2, table_->last()))];
-    return std::abs(to.T - from.T) * block_.per_T[0] + std::abs(to.A - from.A) * block_.per_A[0];
   }
 
   void set_slot(std::size_t slot, const Left& left) {
@@ -201,6 +168,7 @@ class Distances {
         approaches(outline, {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i], 1 / points_.sigma_A[i],
                    kApproaches, segments_, starts.found);
         if (is_nearest(left, starts.found)) {
+          left.is_nearest = true;
           nearest.push_back(left);
           continue;
         }
@@ -236,14 +204,7 @@ class Distances {
       }
     }
     if (nearest.empty()) return true;
-    const auto is_written = [&, next = nearest.begin()](const Left& left) mutable {
-      if (next == nearest.end() || next->index != left.index) return false;
-      ++next;
-      return true;
-    };
-    std::vector<Left> rest;
-    std::remove_copy_if(left_.begin(), left_.end(), std::back_inserter(rest), is_written);
-    left_ = std::move(rest);
+    std::erase_if(left_, [](const Left& left) { return left.is_nearest; });
     return write_nearest(nearest);
   }
 

@@ -175,9 +175,10 @@ class Posterior {
       if (error <= kLeftOut || (error_before <= kScatter && error > 0.2 * error_before && before->size() > kFewest))
         break;
       // For a smooth density the error is squared each time. With kinks, as where a point's nearest place comes to an
-      // end of the law's curve, it falls by a factor, which will not do in time: what is enough for four digits is taken.
+      // end of the law's curve, it falls by a factor, which will not do in time: what is enough for three digits is
+      // taken.
       const double factor = error / error_before, at_most = error * std::pow(factor, std::log2((kMost - 1) / (n - 1)));
-      if (n > kFewest && at_most > kLeftOut && error <= kEnough) break;
+      if (n >= kDoubtful && at_most > kLeftOut && error <= kEnough) break;
       if (n == kMost || (n >= kDoubtful && error > 0.2 * error_before)) return false;
     }
     interpolated_ = std::move(before);

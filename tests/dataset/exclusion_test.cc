@@ -24,6 +24,15 @@ Dataset runs_without(const Exclusion& which) {
   return data;
 }
 
+TEST(Exclusion, OfLinesIsOfferedOnlyWhereItLeavesOutThesePointsAlone) {
+  const Dataset data = runs_without({});
+  EXPECT_EQ(lines_text(data, {0, 1, 4}), "2-3,6");
+  Dataset side_by_side = data;  // the runs share their lines
+  for (std::size_t i : {2, 3}) side_by_side.points[i].line = data.points[i - 2].line;
+  EXPECT_EQ(lines_text(side_by_side, {0, 1}), "");
+  EXPECT_EQ(lines_text(side_by_side, {0, 1, 2, 3}), "2-3");
+}
+
 TEST(Exclusion, OfLinesKeepsTheRestTogether) {
   const Dataset data = runs_without({.lines = {{2, 3}, {5, 5}}});
   ASSERT_EQ(data.points.size(), 2U);

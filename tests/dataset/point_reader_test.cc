@@ -33,6 +33,21 @@ std::size_t points_below_zero(const Dataset& data) {
   return below;
 }
 
+/// One reading of -9999 would turn the sign of its run, and lie far from all others.
+TEST(PointReader, LeavesOutNumbersAndWordsThatStandForMissingOnes) {
+  for (const char* missing :
+       {"-9999", "-9999.0", "-99999", "9.9E37", "-9.90E+37", "9.91E37", "OVL", "O.L", "OVERLOAD"}) {
+    const Dataset data = load_text("P [mN],T [mN],A [mm^2]\n5,0,0.4\n5," + std::string(missing) + ",0.39\n5,20,0.38\n",
+                                   "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n");
+    ASSERT_EQ(data.points.size(), 2u) << missing;
+    EXPECT_GT(data.points[1].T, 0) << missing;
+    ASSERT_EQ(data.excluded.size(), 1u) << missing;
+    EXPECT_EQ(data.excluded[0].reason, "T is missing") << missing;
+  }
+  // a large reading is one
+  EXPECT_EQ(load_text("P,T,A\n9,0,60\n9,9999,59\n").points.size(), 2u);
+}
+
 TEST(PointReader, AColumnThatIncludesEachRowChangesNothing) {
   const std::vector<std::string> odd{"1,-1,3,0,0,x",    "1,1,0,0,0,x",     "1,1,-3,0,0,x",      "1,1,1,0,0,x",
                                      "1,,3,0,0,x",      "1,nan,3,0,0,x",   "1,1e200,3,0,0,x",   "-1e90,1,3,0,0,x",

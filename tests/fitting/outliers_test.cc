@@ -64,8 +64,8 @@ TEST(Outliers, DoNotMakeTheModelLookWrong) {
   int suspect = 0;
   for (unsigned seed = 1; seed <= 150; ++seed)
     suspect += fit_model(with_outliers(seed), "a", kEstimated).status != FitStatus::ok;
-  // 2 % of 1,000 other experiments are not ok: more than 7 of 150 would be seen in 1 % of runs of this test
-  EXPECT_LE(suspect, 7);
+  // a fixed set of seeds: 11 where residuals are not limited and correlations are kept
+  EXPECT_LE(suspect, 3);
 }
 
 TEST(Outliers, OfPointsOnTheCurveAreNone) {

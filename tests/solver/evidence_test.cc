@@ -44,7 +44,8 @@ class Line final : public Problem {
   double bend_;
 };
 
-/// Three points whose residuals are steeper above a kink than below it, as where a nearest place comes to the end of a curve.
+/// Three points whose residuals are steeper above a kink than below it, as where a nearest place comes to the end of a
+/// curve.
 class Kinked final : public Problem {
  public:
   std::size_t residual_count() const override { return 3; }
@@ -161,7 +162,7 @@ TEST(Evidence, OverAConstantWithAPriorIsThatOfTheDoubleIntegral) {
               2.0 / 40000);
 }
 
-/// Interpolation converges slowly there, and ends where four digits are known.
+/// Interpolation converges slowly there, and ends where three digits are known.
 TEST(Evidence, OfADensityWithAKinkIsThatOfItsIntegral) {
   const Kinked problem;
   const Evidence is = found(problem), expected = summed([&](double x) { return -0.5 * cost(problem, {x}); }, -2, 3,

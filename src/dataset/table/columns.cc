@@ -85,7 +85,7 @@ bool holds_a_number(const CsvRow& row) {
 
 bool number_at(const std::string& path, const CsvRow& row, std::size_t i, std::string_view name, double& value,
                double* error) {
-  if (row.number(i, value)) return true;
+  if (row.number(i, value)) return !is_placeholder(value);
   const std::string_view text = trim_name(row[i]);
   if (text.empty() || is_missing(text)) return false;
   if (text.size() < row[i].size() && parse_number(text, value)) return true;

@@ -199,10 +199,16 @@ bool parse_with_error(std::string_view text, char decimal, double& value, double
 }
 
 bool is_missing(std::string_view text) {
-  constexpr std::string_view kTexts[] = {"NA",      "N/A",    "n/a",     "#N/A",   "#NV",  "#NUM!", "#DIV/0!",
-                                         "#VALUE!", "-",      "--",      "null",   "NULL", "None",  "missing",
-                                         "1.#QNAN", "1.#IND", "-1.#IND", "1.#INF", "1.#J"};
+  constexpr std::string_view kTexts[] = {"NA",      "N/A",    "n/a",     "#N/A",     "#NV",      "#NUM!", "#DIV/0!",
+                                         "#VALUE!", "-",      "--",      "null",     "NULL",     "None",  "missing",
+                                         "1.#QNAN", "1.#IND", "-1.#IND", "1.#INF",   "1.#J",     "---",   "OVL",
+                                         "OVLD",    "OL",     "O.L",     "OVERLOAD", "OVERFLOW", "OVRNG"};
   return std::find(std::begin(kTexts), std::end(kTexts), trim(text)) != std::end(kTexts);
+}
+
+bool is_placeholder(double value) {
+  constexpr double kScpi = 9.9e37;  // infinity; 9.91e37 is no number
+  return value == -9999 || value == -99999 || std::abs(value) == kScpi || value == 9.91e37;
 }
 
 std::optional<ClockTime> parse_clock(std::string_view text) {

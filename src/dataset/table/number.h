@@ -26,8 +26,13 @@ bool parse_with_error(std::string_view text, char decimal, double& value, double
 /// Whether a field is a number in either decimal sign, with or without a standard error.
 bool is_number(std::string_view field);
 
-/// Whether a text marks a missing number, as in spreadsheets and statistics programs: "NA", "#N/A", "-".
+/// Whether a text marks a missing number, as in spreadsheets, statistics programs and instruments: "NA", "#N/A", "-",
+/// "OVL".
 bool is_missing(std::string_view text);
+
+/// Whether a number marks a missing one: -9999 and -99999 in archives of data; 9.9e37, -9.9e37 and 9.91e37, the
+/// infinities and no number of instruments (SCPI 1999, volume 1, 7.2.1).
+bool is_placeholder(double value);
 
 struct ClockTime {
   bool dated = false;

@@ -30,7 +30,7 @@ class Plan:
     lam : float or tuple
         The guess; a tuple for a model with several parameters.
     loads : sequence of float, or str
-        Normal load of each run [N], a text with units ("1,4 mN") or quantities; empty to have them found. With
+        Normal load of each run [N], or held approach [m], a text with units ("1,4 mN") or quantities; empty to have them found. With
         ``control="approach"`` the approaches [m] ("3,8 um"), here and wherever loads are named below.
     points : int
         Number of points per run, at equal steps of T from 0.
@@ -76,7 +76,7 @@ class Plan:
 
     @property
     def loads(self) -> list[float]:
-        """Normal loads [N]."""
+        """Normal loads [N], or held approaches [m]."""
         return self._core.loads
 
     def with_loads(self, loads: Any) -> Plan:
@@ -151,7 +151,7 @@ class Plan:
         Returns
         -------
         list of (float, dict)
-            Load [N], and what :meth:`expect` returns for the plan with a run at it.
+            Load [N] or held approach [m], and what :meth:`expect` returns for the plan with a run at it.
         """
         least, most = (load_number(name, one, self._approach) for name, one in (("least", least), ("most", most)))
         return self._core.next_loads(least, most, whole_number("candidates", candidates, 2), _keys(rivals))

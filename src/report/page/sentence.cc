@@ -16,6 +16,7 @@ using Signs = std::pair<std::string_view, std::string_view>;
 constexpr std::array kLetters{Signs{"lambda", "λ"}, Signs{"psi", "ψ"}, Signs{"delta", "δ"}, Signs{"alpha", "α"},
                               Signs{"tau", "τ"},    Signs{"nu", "ν"},  Signs{"eta", "η"},   Signs{"chi", "χ"}};
 constexpr std::array kSubscripts{Signs{"Gc", "G_c"}, Signs{"GIc", "G_Ic"}};
+constexpr std::array<std::string_view, 10> kBelow{"I", "II", "III", "c", "Ic", "IIc", "0", "A", "T", "u"};
 constexpr std::array kOthers{Signs{"^2", "²"}, Signs{"^3", "³"}, Signs{"+/-", "±"}};
 
 bool is_plain(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
@@ -53,12 +54,12 @@ std::string with_signs(std::string_view word) {
   const std::size_t cut = std::min(word.find('_'), zero ? word.size() - 1 : word.size());
   const std::string_view symbol = letter(word.substr(0, cut)),
                          below = word.substr(cut + (word.substr(cut).starts_with('_') ? 1 : 0));
-  constexpr std::size_t kLongest = 3;  // III; tau_file is no symbol
   const bool one_letter = !std::isdigit(static_cast<unsigned char>(word[0])) &&
                           std::count_if(symbol.begin(), symbol.end(), [](char c) { return (c & 0xC0) != 0x80; }) == 1;
-  if (below.empty()) return xml_escaped(symbol);
-  return one_letter && below.size() <= kLongest ? xml_escaped(symbol) + "<sub>" + xml_escaped(below) + "</sub>"
-                                                : xml_escaped(word);
+  if (cut == word.size()) return xml_escaped(symbol);
+  // names of runs, as S_1 or tau_file, are no symbols
+  const bool known = std::find(kBelow.begin(), kBelow.end(), below) != kBelow.end();
+  return one_letter && known ? xml_escaped(symbol) + "<sub>" + xml_escaped(below) + "</sub>" : xml_escaped(word);
 }
 
 }  // namespace
@@ -73,8 +74,12 @@ std::string sentence(std::string_view text) {
       const bool kept = quoted || is_typed(text.substr(0, i), rest.substr(length));
       out += kept ? xml_escaped(rest.substr(0, length)) : with_signs(rest.substr(0, length));
     } else {
-      const auto other = std::find_if(kOthers.begin(), kOthers.end(),
-                                      [&](const Signs& one) { return !quoted && rest.starts_with(one.first); });
+      const auto other = std::find_if(kOthers.begin(), kOthers.end(), [&](const Signs& one) {
+        const std::string_view behind = rest.substr(std::min(one.first.size(), rest.size()));
+        const bool number_goes_on = one.first[0] == '^' && !behind.empty() &&
+                                    std::isdigit(static_cast<unsigned char>(behind[0])) != 0;  // 10^25
+        return !quoted && !number_goes_on && rest.starts_with(one.first);
+      });
       length = other != kOthers.end() ? other->first.size() : std::max<std::size_t>(character_length(rest), 1);
       out += other != kOthers.end() ? std::string(other->second) : xml_escaped(rest.substr(0, length));
       if (rest[0] == '"') quoted = !quoted;

@@ -19,6 +19,7 @@ TEST(Sentence, KeepsWhatATyperTypes) {
   EXPECT_EQ(sentence("--free=lambda; load_offset, free=lambda"), "--free=lambda; load_offset, free=lambda");
   EXPECT_EQ(sentence("as in radius = \"VALUE +/- ERROR\""), "as in radius = &quot;VALUE +/- ERROR&quot;");
   EXPECT_EQ(sentence("column 'psi'; sigma_T; lambda.csv"), "column 'psi'; sigma_T; lambda.csv");
+  EXPECT_EQ(sentence("runs S_1, A_2, day_, 10^25"), "runs S_1, A_2, day_, 10^25");
   EXPECT_EQ(sentence("lambdas, tau_file, run_10, 100"), "lambdas, tau_file, run_10, 100");
 }
 
