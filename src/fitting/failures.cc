@@ -137,11 +137,11 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
     return "the points lie " + rounded(*tests.residuals.over_scatter, 2) +
            " times as far from the curve as neighbours scatter: the model or a constant is wrong";
   if (tests.residuals.shares_course)
-    return "the residuals take the same course over T in all runs (F = " + rounded(*tests.residuals.course, 3) +
+    return "all runs leave the curve in the same way as T grows (F = " + rounded(*tests.residuals.course, 3) +
            "): the model or a constant is wrong";
   if (tests.residuals.together)
-    return "the points of a run lie off the curve together (neighbours correlate by " +
-           rounded(mean_correlation(fit), 2) + "): the runs differ, or the model or a constant is wrong";
+    return "whole runs lie above or below the curve (neighbours correlate by " + rounded(mean_correlation(fit), 2) +
+           "): the runs differ, or the model or a constant is wrong";
   if (tests.residuals.ends_p < kChance)
     return "the ends of the runs lie off the curve (z = " + rounded(tests.residuals.ends, 2) +
            "): points past the onset of sliding?";
