@@ -83,6 +83,7 @@ Control control_of(const std::string& kind, double stiffness) {
 void bind_mechanics(nb::module_& m) {
   m.def("model_keys", &model_keys);
   m.def("known_models", &known_models);
+  m.def("forget_laws", &forget_laws, nb::call_guard<nb::gil_scoped_release>());
   m.def("provide_law", [](const std::string& key) { provide_law(key); });
   m.def("law_definition", [](const std::string& key) {  // None for other models
     const auto law = find_law(key);

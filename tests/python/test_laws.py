@@ -266,7 +266,7 @@ fits = mixity.fit(data, [law], checks=False)
 
 
 def test_a_function_is_freed_with_the_gil_held():
-    # the engine frees a law on any thread, also on one that has released the GIL, as ctypes does here
+    # the engine frees a law on any thread, also on one that has released the GIL, as forget_laws does
     code = """
 import ctypes, threading, numpy as np, mixity
 from mixity import _core, _law
@@ -282,8 +282,7 @@ mixity.Law(Ratio(), p=(0, 1), key="ratio")
 _law._functions.clear()
 _law._by_key.clear()
 print("known to the engine alone")
-forget_laws = ctypes.CDLL(_core.__file__)["_ZN6mixity11forget_lawsEv"]
-other = threading.Thread(target=forget_laws, name="another thread")
+other = threading.Thread(target=_core.forget_laws, name="another thread")
 other.start()
 other.join()
 """
