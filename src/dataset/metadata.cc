@@ -196,6 +196,9 @@ std::string set_field(Metadata& metadata, std::string_view name, std::string_vie
            (meant.empty() ? "; it must be " + describe(field->dimension)
                           : "; " + quoted(std::string_view(meant)) + " is");
   }
+  if (!uncertain && states_error(text) && text.find('%') != std::string_view::npos &&
+      parse_number(trim(text.substr(0, text.find_first_of(" +\xC2")))).value_or(1) == 0)
+    return given + "a share of 0 is no error; write the error itself, such as " + quoted(field->example);
   if (!uncertain)
     return given + "it must be a number with a unit, such as " +
            (states_error(text) ? "\"1 mm +/- 2%\" or \"1 +/- 0.02 mm\"" : quoted(field->example));

@@ -41,6 +41,13 @@ note = "a note"
   EXPECT_EQ(metadata.plane_strain_modulus(), metadata.modulus);
 }
 
+TEST(Metadata, AnErrorInPercentOfZeroIsRefusedWithOneThatWorks) {
+  EXPECT_NE(error_of("load_offset = \"0 +/- 1%\"")
+                .find("a share of 0 is no error; write the error itself, such as \"0 +/- 0.5 mN\""),
+            std::string::npos);
+  EXPECT_EQ(error_of("load_offset = \"0 +/- 0.5 mN\""), "");
+}
+
 TEST(Metadata, AFileThatIsNotThereOrEmptyLeavesAllUnstated) {
   const TemporaryFolder folder;
   for (const std::string& path : {folder.path("none.toml"), folder.write("empty.toml", "")}) {
