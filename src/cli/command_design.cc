@@ -42,9 +42,12 @@ Held held_in(const Plan& plan) {
   return {"load", "loads", "load", "mN", 1e-3, dimension::force};
 }
 
-std::string error_text(const Plan& plan, const std::optional<double>& error) {
+std::string error_text(const std::optional<double>& error, double value) {
   if (!error) return "not determined";
-  return rounded(*error, 3) + " (" + rounded(100 * *error / plan.parameters[0], 3) + "%)";
+  return rounded(*error, 3) + (value == 0 ? "" : " (" + rounded(100 * *error / std::abs(value), 3) + "%)");
+}
+std::string error_text(const Plan& plan, const std::optional<double>& error) {
+  return error_text(error, plan.parameters[0]);
 }
 
 std::string loads_text(const Held& held, const std::vector<double>& loads, std::size_t from = 0) {
@@ -66,6 +69,9 @@ std::string first_parameter(const Plan& plan) {
 void print_expectation(const Plan& plan, const Expectation& expected) {
   std::cout << "    expected standard error of " << first_parameter(plan) << ": "
             << error_text(plan, expected.standard_error) << '\n';
+  for (const Expectation::Other& other : expected.others)
+    std::cout << "    expected standard error of " << other.parameter << ": "
+              << error_text(other.standard_error, other.value) << '\n';
   for (const Expectation::Rival& rival : expected.rivals)
     std::cout << "    against model " << rival.model << ": chi^2 " << rounded(rival.chi2, 3) << ", odds "
               << odds_text(rival) << '\n';

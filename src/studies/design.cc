@@ -22,6 +22,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 std::vector<std::string> without(const std::vector<std::string>& models, const std::string& own) {
   std::vector<std::string> rivals = models;
   std::erase(rivals, own);
+  if (const auto model = ContactModel::find(own); model && model->is_elliptic())
+    std::erase(rivals, std::string(model->circle().info().key));
   return rivals;
 }
 
@@ -44,7 +46,11 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
   FitOptions options = value_only({});
   Expectation expected;
   const FitResult own = fit_model(data, plan.model, options);
-  if (own.status != FitStatus::not_identifiable) expected.standard_error = own.parameters.front().stderr_;
+  const bool determined = own.status != FitStatus::not_identifiable;
+  if (determined) expected.standard_error = own.parameters.front().stderr_;
+  for (std::size_t k = 1; k < plan.parameters.size() && k < own.parameters.size(); ++k)
+    if (const FittedParameter& one = own.parameters[k]; !one.held)
+      expected.others.push_back({one.name, plan.parameters[k], determined ? one.stderr_ : std::nullopt});
   // a rival's misfit is no noise whose correlation along the runs could be estimated
   options.fitted_errors = false;
   for (const std::string& model : without(rivals, plan.model)) {

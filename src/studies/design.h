@@ -19,6 +19,13 @@ struct Expectation {
   /// of the constants (as nuisance constants: Ds-optimality, Silvey 1980): that of a fit to the plan without noise.
   /// Null if the plan does not determine it.
   std::optional<double> standard_error;
+  /// The same of the model's other free parameters: lambda_III of an ellipse, eta of bk.
+  struct Other {
+    std::string parameter;
+    double value;
+    std::optional<double> standard_error;
+  };
+  std::vector<Other> others;
   /// chi^2 of each rival's best fit to the plan without noise: the T-criterion of Atkinson & Fedorov 1975 (Biometrika
   /// 62, 57). Twice the expected logarithm of the odds against it, without the penalty for free parameters.
   struct Rival {
@@ -33,7 +40,8 @@ struct Expectation {
   double cost(Goal goal) const;
 };
 
-/// `rivals`: keys of models; the plan's own model is ignored. Throws as simulate does.
+/// `rivals`: keys of models; ignored are the plan's own and, for an ellipse, its circle, which is no model of axes.
+/// Throws as simulate does.
 Expectation expect(const Plan& plan, const std::vector<std::string>& rivals);
 
 /// Runs of one load up to a share of its jump, of a plan of elliptic contacts.
