@@ -153,7 +153,6 @@ class Distances {
     };
     std::vector<Start> all;
     std::vector<Starts> of_points;
-    std::vector<Left> nearest;
     for (Left& left : left_) {
       const std::size_t i = left.index;
       Starts starts{&left, all.size(), 0, {}};
@@ -169,7 +168,6 @@ class Distances {
                    kApproaches, segments_, starts.found);
         if (is_nearest(left, starts.found)) {
           left.is_nearest = true;
-          nearest.push_back(left);
           continue;
         }
         for (const Approach& approach : starts.found) {
@@ -203,8 +201,10 @@ class Distances {
         if (d < left.place.distance * (1 - 1e-9)) left.place = {table_->at(u).T, table_->at(u).A, d};
       }
     }
-    if (nearest.empty()) return true;
-    std::erase_if(left_, [](const Left& left) { return left.is_nearest; });
+    const auto first =
+        std::stable_partition(left_.begin(), left_.end(), [](const Left& left) { return !left.is_nearest; });
+    const std::vector<Left> nearest(first, left_.end());
+    left_.erase(first, left_.end());
     return write_nearest(nearest);
   }
 
