@@ -104,7 +104,13 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
   whitening.apply(r);
   const double count = static_cast<double>(n),
                of_runs = -(count * std::log(as_vector(r).squaredNorm() / count) + whitening.log_determinant()) / 2;
-  return of_runs > by_neighbours->log_likelihood;
+  // Of two that do about as well, correlated neighbours are believed, unless they correlate along a large part of a
+  // run.
+  constexpr double kLargePart = 0.25;
+  const double rho = std::max(by_neighbours->correlations.first, by_neighbours->correlations.second),
+               alike = 1 / (1 - rho), points = count / static_cast<double>(groups.size()),
+               sooner = alike < kLargePart * points ? kAboutAsWell / 2 : -kAboutAsWell / 2;
+  return of_runs > by_neighbours->log_likelihood + sooner;
 }
 
 /// Leaving out each run in turn gives the error of the first parameter without a model of the noise. If the resulting

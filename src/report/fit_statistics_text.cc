@@ -34,16 +34,19 @@ std::string interval_text(const FittedParameter& parameter) {
 }
 
 std::string estimated_errors(const StandardErrors& errors, const DisplayUnits& units) {
-  const auto size = [](const char* name, ErrorSource source, const std::optional<ErrorModel>& model, double scale,
-                       const std::string& unit) {
+  const auto size = [](const char* name, ErrorSource source, const std::optional<ErrorModel>& model, double step,
+                       double scale, const std::string& unit) {
     if (StandardErrors::is_known(source) || !model) return std::string();
+    const auto shown = [&](double value) { return rounded(value * scale, 2) + (unit.empty() ? "" : " " + unit); };
     std::vector<std::string> parts;
-    if (model->constant > 0) parts.push_back(rounded(model->constant * scale, 2) + (unit.empty() ? "" : " " + unit));
+    if (model->constant > 0) parts.push_back(shown(model->constant));
     if (model->share > 0) parts.push_back(rounded(100 * model->share, 2) + " %");
+    if (step > 0) parts.push_back("steps of " + shown(step));
     return std::string(name) + " " + (parts.empty() ? "0" : joined(parts, " + "));
   };
-  std::vector<std::string> axes{size("A", errors.source_A, errors.model_A, units.area_scale, units.area),
-                                size("T", errors.source_T, errors.model_T, units.force_scale, units.force)};
+  std::vector<std::string> axes{
+      size("A", errors.source_A, errors.model_A, errors.step_A, units.area_scale, units.area),
+      size("T", errors.source_T, errors.model_T, errors.step_T, units.force_scale, units.force)};
   std::erase(axes, "");
   if (axes.empty()) return {};
   const bool assumed = errors.source_A == ErrorSource::assumed || errors.source_T == ErrorSource::assumed;

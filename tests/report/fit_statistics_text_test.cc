@@ -90,6 +90,19 @@ TEST(FitStatisticsText, EstimatedErrorsWithARobustLossAndOneEndedIntervals) {
   expect_golden(result, "estimated_errors.txt");
 }
 
+TEST(FitStatisticsText, EstimatedErrorsNameTheStepsOfTheReadings) {
+  StandardErrors errors{{}, {}, ErrorSource::scatter, ErrorSource::scatter, 0.01};
+  errors.model_A = {0, 0.01};
+  errors.step_A = 0.5;
+  errors.model_T = {0, 0};
+  errors.step_T = 2;
+  DisplayUnits units;
+  units.area = "mm^2";
+  units.area_scale = 0.1;
+  units.force = "mN";
+  EXPECT_EQ(estimated_errors(errors, units), "A 1 % + steps of 0.05 mm^2, T steps of 2 mN, from scatter");
+}
+
 TEST(FitStatisticsText, ComparisonIsSortedByTheErrorOnLoadsLeftOut) {
   Analysis result = example();
   result.fits.clear();
