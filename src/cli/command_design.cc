@@ -77,6 +77,18 @@ void print_expectation(const Plan& plan, const Expectation& expected) {
               << odds_text(rival) << '\n';
 }
 
+/// What the first load once more at the end would give: it separates a drift from a dependence on the load.
+void print_repeat_of_first_load(const Plan& plan) {
+  const Metadata& constants = plan.constants;
+  const auto may = [&](Constant drift) { return constants.standard_errors.contains(kConstantNames[drift]); };
+  if (plan.loads.size() < 2 || !(may(kModulusDrift) || may(kToughnessDrift))) return;
+  Plan with = plan;
+  with.loads.push_back(plan.loads.front());
+  std::cout << "    with the first " << held_in(plan).name << " once more at the end, which separates a drift from a "
+            << "dependence on the " << held_in(plan).name << ":\n";
+  print_expectation(with, expect(with, {}));
+}
+
 struct LoadRange {
   double least, most;
 };
@@ -218,6 +230,7 @@ int run_design(const Arguments& arguments) {
   if (!plan.loads.empty()) {
     std::cout << "    " << held.names << ' ' << loads_text(held, plan.loads) << '\n';
     print_expectation(plan, expect(plan, rivals));
+    print_repeat_of_first_load(plan);
   }
   if (searches) print_candidates(plan, candidates, name);
   Plan chosen = plan;

@@ -48,9 +48,13 @@ Expectation expect(const Plan& plan, const std::vector<std::string>& rivals) {
   const FitResult own = fit_model(data, plan.model, options);
   const bool determined = own.status != FitStatus::not_identifiable;
   if (determined) expected.standard_error = own.parameters.front().stderr_;
-  for (std::size_t k = 1; k < plan.parameters.size() && k < own.parameters.size(); ++k)
-    if (const FittedParameter& one = own.parameters[k]; !one.held)
-      expected.others.push_back({one.name, plan.parameters[k], determined ? one.stderr_ : std::nullopt});
+  for (std::size_t k = 1; k < own.parameters.size(); ++k) {
+    const FittedParameter& one = own.parameters[k];
+    const bool drift = one.name == kConstantNames[kModulusDrift] || one.name == kConstantNames[kToughnessDrift];
+    if (k < plan.parameters.size() ? !one.held : drift)
+      expected.others.push_back(
+          {one.name, k < plan.parameters.size() ? plan.parameters[k] : 0, determined ? one.stderr_ : std::nullopt});
+  }
   // a rival's misfit is no noise whose correlation along the runs could be estimated
   options.fitted_errors = false;
   for (const std::string& model : without(rivals, plan.model)) {

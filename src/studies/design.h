@@ -19,7 +19,7 @@ struct Expectation {
   /// of the constants (as nuisance constants: Ds-optimality, Silvey 1980): that of a fit to the plan without noise.
   /// Null if the plan does not determine it.
   std::optional<double> standard_error;
-  /// The same of the model's other free parameters: lambda_III of an ellipse, eta of bk.
+  /// The same of the model's other free parameters, lambda_III of an ellipse, eta of bk, and of drifts that may be.
   struct Other {
     std::string parameter;
     double value;

@@ -24,6 +24,31 @@ TEST(DesignCommand, SaysWhatAPlanTellsAndWhichLoadsTellMost) {
     EXPECT_NE(result.out.find(part), std::string::npos) << part << result.out;
 }
 
+/// The repeated load bounds the drift far more than any other run does.
+TEST(DesignCommand, SaysWhatRepeatingTheFirstLoadTellsOfADrift) {
+  const Words plan{"design",
+                   "--model=c",
+                   "--lambda=0.05",
+                   "--models=c",
+                   "--sigma_A=1%",
+                   "--loads=3,6,12,25 mN",
+                   "--radius=9.42 mm",
+                   "--modulus=2.133 MPa +/- 5%",
+                   "--toughness=27 mJ/m^2 +/- 10%"};
+  Words drifting = plan;
+  drifting.emplace_back("--modulus_drift=0 +/- 0.03");
+  const ProgramResult result = run_program(drifting);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string error = "expected standard error of modulus_drift: ";
+  const std::size_t first = result.out.find(error), again = result.out.find("first load once more at the end"),
+                    second = result.out.find(error, again);
+  ASSERT_NE(second, std::string::npos) << result.out;
+  EXPECT_LT(std::stod(result.out.substr(second + error.size())),
+            0.5 * std::stod(result.out.substr(first + error.size())))
+      << result.out;
+  EXPECT_EQ(run_program(plan).out.find("once more"), std::string::npos);
+}
+
 TEST(DesignCommand, SaysWhatTellsTheCouplingsOfAnEllipseApart) {
   const Words common{
       "design",          "--shape=ellipse",  "--model=c",           "--poisson_ratio=0.5",   "--points=12",
