@@ -214,6 +214,14 @@ bool may_reach(const Case& of, Constant constant) {
   return (fit.known_errors ? after : n * std::log(after / n)) < *of.to_beat + kNear;
 }
 
+/// Whether a fit explains the points and may end ok: one that moves the first parameter to a bound does not.
+bool is_explanation(const Case& of, const FitResult& with) {
+  if (!is_found(with) || !explains(of.data, with)) return false;
+  const FittedParameter *const before = find_parameter(of.fit.parameters, of.fit.budget->parameter),
+                               *const after = find_parameter(with.parameters, of.fit.budget->parameter);
+  return !(before && after && after->at_bound && !before->at_bound);
+}
+
 /// Whether a fit fails clearly, whatever the proportions of the errors.
 bool is_hopeless(const Dataset& data, const FitResult& fit) {
   constexpr double kSurely = 1e-6;
@@ -239,7 +247,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   const auto explained = [&](const Cause& one) {
     const bool lost = one.kind == Cause::Kind::runs &&
                       !(one.fit.errors && one.fit.errors->runs.any() && one.fit.errors->runs.spreads.back() > 0);
-    return !lost && is_found(one.fit) && explains(of.data, one.fit);
+    return !lost && is_explanation(of, one.fit);
   };
   std::vector<Cause> list;
   const auto consider = [&](const Case& with, const Case& with_all, const auto& cause) {
@@ -301,7 +309,7 @@ std::vector<Cause> beside_the_fit(const Case& of) {
     for (const auto& [reach, constant] : beyond) {
       if (!list.empty() && list.front().name == kConstantNames[constant]) break;
       Cause one = with_free(of, constant, Points(fit.used.begin(), fit.used.end()));
-      if (!is_found(one.fit) || !explains(of.data, one.fit)) continue;
+      if (!is_explanation(of, one.fit)) continue;
       one.misfit = misfit(one.fit);
       if (one.misfit + implausibility(of, one) > misfit(fit)) continue;
       list.push_back(std::move(one));
@@ -319,7 +327,7 @@ std::optional<Cause> shape_instead_of_memory(const Case& of) {
                                  [](const ExactConstant& one) { return one.constant == kConstantNames[kShape]; });
   if (!exact) return std::nullopt;
   Cause cause = with_free(of, kShape, of.fit.used.list());
-  if (!is_found(cause.fit) || !explains(of.data, cause.fit)) return std::nullopt;
+  if (!is_explanation(of, cause.fit)) return std::nullopt;
   cause.misfit = misfit(cause.fit);
   const FittedParameter *const before = find_parameter(of.fit.parameters, of.fit.budget->parameter),
                                *const after = find_parameter(cause.fit.parameters, of.fit.budget->parameter);

@@ -149,6 +149,21 @@ TEST(Diagnosis, GivesUpWhatIsNoExplanation) {
   EXPECT_TRUE(wrong.message.text().starts_with("given up")) << wrong.message.text();
 }
 
+/// A lambda of 0 and an ellipse of 5 % describe one odd run as well, but a fit at its bound does not end ok.
+TEST(Diagnosis, OffersNoRemedyThatEndsAtABound) {
+  for (const unsigned seed : {3, 24}) {  // where such an ellipse was offered
+    SeededNoise of_A(seed, 0.007), of_T(seed + 1000, 0.005);
+    const std::vector<double> loads{1, 2, 5, 9, 20};
+    Dataset data = synthetic_runs("c", {0.0065}, loads, 40, 0.69, of_A);
+    const Dataset other = synthetic_runs("c", {0.0042}, loads, 40, 0.69, of_A);
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+      if (data.points[i].curve == 3) data.points[i] = other.points[i];
+    for (Point& point : data.points) point.T *= 1 + of_T();
+    for (const Explanation& one : fit_model(data, "c").explanations)
+      EXPECT_FALSE(one.first.at_bound) << one.size.text();
+  }
+}
+
 TEST(Diagnosis, OfDataWithoutScatterIsSilent) {
   const Dataset data = synthetic_runs("c", {0.15}, {0.5, 5, 20});
   EXPECT_EQ(fit_model(data, "c").status, FitStatus::ok);
