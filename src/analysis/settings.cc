@@ -202,6 +202,8 @@ const std::vector<Setting>& settings() {
               "standard error of T for all points: \"0.5%\", or \"0.2 mN\""),
       setting("sigma_A", &FitOptions::sigma_A, ErrorSize{},
               "standard error of A for all points: \"1%\", or \"0.002 mm^2\""),
+      setting("sigma_factor", &FitOptions::free_sigma_factor, Word{"free", "1"},
+              "1: stated errors are as stated; free: they are right up to one common factor, which the scatter tells"),
       setting("fitted_errors", &FitOptions::fitted_errors, Switch{},
               "curve: errors at the fitted curve, estimated with it where none are stated; false: at the readings, "
               "independent, as ODRPACK takes them"),
@@ -297,6 +299,8 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
     return Contradiction{"weighted", "needs objective=toughness; curve weighs the points anyway"};
   if ((options.sigma_T || options.sigma_A) && options.objective == toughness && !options.weighted)
     return Contradiction{options.sigma_A ? "sigma_A" : "sigma_T", "needs objective=curve, or weighted"};
+  if (options.free_sigma_factor && options.objective == toughness && !options.weighted)
+    return Contradiction{"sigma_factor", "needs objective=curve, or weighted"};
   if (options.loss == Loss::t && request.per_curve)
     return Contradiction{"loss",
                          "cannot be t with per=curve, since each run would have its own t; use huber or cauchy"};

@@ -78,7 +78,7 @@ double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPla
 }
 
 double variance_ratio(const Dataset& data, const StandardErrors& errors, std::size_t point) {
-  if (!errors.scatter || errors.load_A.empty()) return 1;
+  if (!errors.scatter || errors.load_A.empty()) return errors.factor * errors.factor;
   const auto by_reading = [&](ErrorSource source, double sigma, double value) {
     return StandardErrors::is_known(source) ? 1 : std::pow(*errors.scatter * value / sigma, 2);
   };
@@ -92,7 +92,8 @@ double log_variances_of_axes(const Dataset& data, const PointIndices& used, cons
   for (const std::size_t i : used) {
     if (!std::isfinite(beside(data)[i].q) || beside(data)[i].sigma_q > 0) continue;
     const bool known = StandardErrors::is_known(errors.source_A) || !errors.scatter;
-    sum += 2 * std::log(errors.axes_factor * (known ? 1 : errors.A[i] / (data.points[i].A * *errors.scatter)));
+    sum += 2 * std::log(errors.factor * errors.axes_factor *
+                        (known ? 1 : errors.A[i] / (data.points[i].A * *errors.scatter)));
   }
   return sum;
 }

@@ -127,6 +127,9 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     if (deeper.empty()) widen_by_sizes_of_errors(x);
     result_.free_parameters = unknown();  // the other parameters each have a residual: their prior
     result_.sum_of_squares *= unit_ * unit_;
+    const double rest = static_cast<double>(problem_->residual_count()) - static_cast<double>(unknown());
+    if (options_.free_sigma_factor && options_.loss == Loss::none && rest > 0)
+      result_.sigma_factor = (result_.errors ? result_.errors->factor : 1) * std::sqrt(result_.sum_of_squares / rest);
     if (result_.errors) result_.log_variances = log_variances(data_, prepared_.used, *result_.errors);
     if (const std::size_t n = without_pull_off_error(data_); result_.pull_off > 0 && n > 0)
       result_.log_variances +=

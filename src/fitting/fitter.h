@@ -46,6 +46,7 @@ class Fitter {
   bool settle_errors(std::vector<double>& x);
   bool leads_to_the_same_errors(const std::vector<double>& x);
   void restore_errors();
+  double size_stated_errors(NearestPlaces& nearest, double freedom);
   double size_axes(const NearestPlaces& nearest);
   double size_pull_off(const NearestPlaces& nearest);
   double log_size_of_areas() const;

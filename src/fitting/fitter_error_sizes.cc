@@ -124,6 +124,23 @@ void Fitter::widen_by_sizes_of_errors(const std::vector<double>& x) {
   }
 }
 
+/// Where only the ratios of stated errors are known, scales them to the residuals. Returns the change of the logarithm
+/// of their factor.
+double Fitter::size_stated_errors(NearestPlaces& nearest, double freedom) {
+  StandardErrors& errors = *prepared_.errors;
+  double squares = 0;
+  for (const double r : nearest.residuals) squares += r * r;
+  const double change = std::sqrt(squares / freedom);
+  if (!errors.factor_is_free || !(freedom > 0 && change > 0)) return 0;
+  errors.factor *= change;
+  for (auto* const list : {&errors.T, &errors.A})
+    for (double& one : *list) one *= change;
+  for (auto* const model : {&errors.model_T, &errors.model_A})
+    if (*model) *model = ErrorModel{(*model)->constant * change, (*model)->share * change};
+  for (double& one : nearest.residuals) one /= change;
+  return std::log(change);
+}
+
 /// Sets the factor on the relative errors of A that those of the axes have. Returns the change of its logarithm.
 double Fitter::size_axes(const NearestPlaces& nearest) {
   if (nearest.axes.empty() || beside(data_)[prepared_.used[0]].sigma_q > 0) return 0;

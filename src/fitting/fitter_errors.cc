@@ -143,6 +143,7 @@ bool Fitter::leads_to_the_same_errors(const std::vector<double>& x) {
 /// Recomputes the errors as before the first fit; a copy for millions of points would take much memory.
 void Fitter::restore_errors() {
   *prepared_.errors = standard_errors(data_, options_.sigma_T, options_.sigma_A, true);
+  prepared_.errors->factor_is_free = options_.free_sigma_factor;
   problem_ = make_problem(data_, options_, prepared_);
 }
 
@@ -208,6 +209,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     double change = take_expected_off(*expected, freedom, *nearest);
     const double of_expected = change;
     expected.reset();
+    change = std::max(change, std::abs(size_stated_errors(*nearest, freedom)));
     const double of_axes = size_axes(*nearest);
     change = std::max({change, std::abs(of_axes), std::abs(size_pull_off(*nearest))});
     if (by_run && !find_run_differences(x, *nearest, leverage, change)) return true;
@@ -266,7 +268,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     errors.run_factors = models.run_factors;
     errors.correlations = models.correlations;
     const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
-    errors.freedom = known ? 0 : freedom * independence(models.correlations);
+    errors.freedom = known && !errors.factor_is_free ? 0 : freedom * independence(models.correlations);
     const double before = of_axes != 0 ? log_size_of_areas() : 0;
     change = std::max(change, evaluate_errors(data_, prepared_.used, std::move(*nearest), errors));
     if (of_axes != 0) errors.axes_factor *= std::exp(before - log_size_of_areas());

@@ -271,7 +271,7 @@ std::unique_ptr<ModelProblem> make_problem(const Dataset& data, const FitOptions
   const bool absolute =
       !prepared.errors || (prepared.used.empty() && !data.pull_off.empty() ? without_pull_off_error(data) == 0
                                                                            : prepared.errors->absolute());
-  problem->set_known_errors(weighted && !energies_without && absolute);
+  problem->set_known_errors(weighted && !energies_without && absolute && !options.free_sigma_factor);
   return problem;
 }
 

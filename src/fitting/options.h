@@ -47,6 +47,7 @@ struct FitOptions {
   /// with a standard error are fitted with a prior.
   std::optional<Constants> constants{};
   std::optional<StatedError> sigma_T{}, sigma_A{};
+  bool free_sigma_factor = false;  // all stated errors are right up to one common factor, estimated from the scatter
   /// True: errors are functions of the fitted value, estimated with the fit where not stated; neighbours may correlate;
   /// the distance expected from noise is subtracted. False: errors are taken at the readings and independent, with one
   /// relative error where none is stated: plain orthogonal distances, as ODRPACK minimises them.

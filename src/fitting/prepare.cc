@@ -149,6 +149,20 @@ void take_poisson_ratio(const Dataset& data, PreparedFit& prepared) {
   prepared.held[last] = !(prepared.poisson_error > 0);
 }
 
+/// A common factor on stated errors needs stated errors.
+void require_errors_for_their_factor(const Dataset& data, const FitOptions& options, Objective objective,
+                                     const PreparedFit& prepared) {
+  if (!options.free_sigma_factor || options.errors) return;
+  const char* missing = nullptr;
+  if (objective != Objective::curve)
+    missing = options.weighted ? nullptr : "objective = curve, or weighted = true";
+  else if (data.has_energies)
+    missing = data.errors.empty() ? "a column sigma_GI or sigma_GII" : nullptr;
+  else if (!StandardErrors::is_known(prepared.errors->source_T) || !StandardErrors::is_known(prepared.errors->source_A))
+    missing = "standard errors of both T and A: columns sigma_T and sigma_A, or the options of these names";
+  if (missing) throw InputError(data.path, std::string("sigma_factor = free needs ") + missing);
+}
+
 /// Sets held values, and typical ones for the other parameters.
 void hold_parameters(const Dataset& data, const FitOptions& options, PreparedFit& prepared) {
   const std::span<const ParameterInfo> infos = prepared.model.parameters();
@@ -193,6 +207,8 @@ PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOpt
                           ? std::const_pointer_cast<StandardErrors>(options.errors)
                           : std::make_shared<StandardErrors>(
                                 standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve));
+  if (prepared.errors && options.free_sigma_factor && !options.errors) prepared.errors->factor_is_free = true;
+  require_errors_for_their_factor(data, options, objective, prepared);
   return prepared;
 }
 

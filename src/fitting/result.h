@@ -246,6 +246,7 @@ struct FitResult {
   std::vector<Outlier> outliers;                   // in file order; only in reported fits
   bool known_errors = false;                       // the residuals are in units of known standard errors
   std::shared_ptr<const StandardErrors> errors{};  // of the points, if the objective uses them
+  std::optional<double> sigma_factor;              // common factor on stated errors, from the scatter, where it is free
   std::vector<double> correlations;                // [p x p] of the free parameters in order; empty for a single one
   std::size_t free_parameters = 0;
   /// Sum of ln(variance) of the residuals, relative to proportional errors at the readings, plus ln of the determinant

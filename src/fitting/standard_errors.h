@@ -69,6 +69,8 @@ struct StandardErrors {
   NeighbourCorrelations correlations{};            // of neighbours' noise in A (first) and T (second), along each run
   RunDifferences runs{};                           // as far as requested
   double step_T = 0, step_A = 0;                   // resolution with which T and A were read; 0: none found
+  bool factor_is_free = false;  // of stated errors only the ratios are known
+  double factor = 1;            // on stated errors; found if it is free
   double axes_factor = 1;  // of ln(a/b), where none is stated: this times the relative error of A
   double pull_off = 0;     // of loads of pull-off, where none is stated
   double freedom = 0;      // degrees of freedom of the estimate from the fit; 0: no estimate
@@ -90,7 +92,7 @@ struct StandardErrors {
     return load_T.empty() ? std::max(1 - load_A[point] * load_A[point], 0.0) : load_T[point] * load_T[point];
   }
   /// True if the size of the errors is known, not only their proportions.
-  bool absolute() const { return is_known(source_A); }
+  bool absolute() const { return is_known(source_A) && !factor_is_free; }
   static bool is_known(ErrorSource source) {
     return source == ErrorSource::columns || source == ErrorSource::stated || source == ErrorSource::exact;
   }

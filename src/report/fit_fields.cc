@@ -304,6 +304,10 @@ void describe(Fields<FitResult>& field) {
   field("pull_off", "fitted pull-off loads", [](auto& fit) {
     return IfAny<std::vector<FittedPullOff>>{pull_off_of(fit).empty() ? std::nullopt : std::optional(pull_off_of(fit))};
   });
+  field("sigma_factor",
+        "common factor on stated errors, from the scatter (sigma_factor = free); null where they are as stated, or "
+        "without a value",
+        &FitResult::sigma_factor);
   field("loss_scale", "residual at which a robust loss bends; null without one",
         [](auto& fit) { return fit.loss_scale > 0 ? std::optional(fit.loss_scale) : std::nullopt; });
   field("loss_freedom", "degrees of freedom of the loss t; null without it",

@@ -116,9 +116,17 @@ std::string paper_text(const FitResult& fit) {
   return text + ", R^2 = " + shown_r2(fit.paper->r2) + ", " + std::to_string(fit.paper->points) + " points\n";
 }
 
+namespace {
+
+std::string factor_text(double factor) { return "times " + rounded(factor, 3) + ", from scatter"; }
+
+}  // namespace
+
 std::string errors_text(const FitResult& fit, const Dataset& data, Wording words) {
   std::ostringstream out;
-  if (!fit.errors && !fit.known_errors && !data.errors.empty())
+  if (!fit.errors && fit.sigma_factor)
+    out << "    errors: from the file, " << factor_text(*fit.sigma_factor) << '\n';
+  else if (!fit.errors && !fit.known_errors && !data.errors.empty())
     out << "    errors: every point has the same weight; " << words(Remedy::set("weighted", "true"))
         << (data.has_loads ? " or " + words(Remedy::set("objective", "curve")) : "")
         << " uses the file's standard errors\n";
@@ -133,6 +141,7 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
       return StandardErrors::is_known(of) ? name + (" " + source(of)) : std::string();
     };
     std::vector<std::string> parts{stated("sigma_A", fit.errors->source_A), stated("sigma_T", fit.errors->source_T)};
+    if (fit.sigma_factor) parts.push_back("both " + factor_text(*fit.sigma_factor));
     parts.push_back(estimated_errors(*fit.errors, data.display));
     if (fit.axes > 0)
       parts.push_back(data.holds_approach()

@@ -176,6 +176,31 @@ std::string refusal(const char* csv, const char* toml, std::optional<StatedError
   return text.substr(text.find("a.csv"));
 }
 
+/// Of errors that are right up to one factor only their ratio counts; the factor comes from the scatter.
+TEST(StandardErrors, UpToAFactorDoNotDependOnTheirSize) {
+  SeededNoise of_A(3, 0.01), of_T(4, 0.01);
+  Dataset data = synthetic_runs("c", {0.15}, {-1, 0.5, 2, 5, 12, 30}, 25, 0.95, of_A);
+  for (Point& point : data.points) point.T *= 1 + of_T();
+  FitOptions options;
+  options.free_sigma_factor = true;
+  const auto fitted = [&](const char* sigma) {
+    options.sigma_T = options.sigma_A = *parse_quantity(sigma);
+    return fit_model(data, "c", options);
+  };
+  const FitResult small = fitted("0.2%"), large = fitted("5%");
+  EXPECT_EQ(small.status, FitStatus::ok) << small.message.text();
+  // the rounds that find the factor end at relative changes of 1e-10
+  EXPECT_NEAR(*small.sigma_factor / *large.sigma_factor, 25, 25e-8);
+  EXPECT_NEAR(*small.parameters[0].value, *large.parameters[0].value, 1e-9);
+  EXPECT_NEAR(*small.parameters[0].interval->low, *large.parameters[0].interval->low, 1e-8);
+  EXPECT_NEAR(0.002 * *small.sigma_factor, 0.01, 0.0015);  // 150 residuals tell it to 6 %
+  options.free_sigma_factor = false;
+  EXPECT_FALSE(fitted("1%").sigma_factor);
+  options.free_sigma_factor = true;
+  options.sigma_T.reset();
+  EXPECT_THROW(fit_model(data, "c", options), InputError);
+}
+
 TEST(StandardErrors, RefuseWhatIsNoErrorOfTheQuantity) {
   EXPECT_EQ(refusal(kDimensional, kMetadata, {}, stated("0.1 mN")),
             "a.csv: sigma_A is '0.1 mN'; it must be an area such as mm^2, or a percentage such as 1%");

@@ -119,6 +119,7 @@ class Fit(_Described):
     max_abs_residual: float | None
     outliers: list[dict[str, Any]]
     errors: dict[str, Any] | None
+    sigma_factor: float | None
     loss_scale: float | None
     loss_freedom: float | None
     correlations: list[dict[str, Any]]
