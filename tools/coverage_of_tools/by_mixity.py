@@ -15,18 +15,22 @@ MODELS = {"line": "linear", "b": "b", "bk": "bk", "bound": "hutchinson_suo"}
 
 def task(problem_name, cell, data):
     """Data set, model, options and name of the judged parameter."""
-    known = cell.errors == "known"
+    known = cell.errors != "unknown"
+    to_a_factor = {"sigma_factor": "free"} if cell.errors == "to a factor" else {}
     if hasattr(data.curve, "P"):
         errors = {"sigma_T": data.sigma_x * FORCE, "sigma_A": data.sigma_y * AREA} if known else {}
         one = mixity.Dataset(P=data.curve.P * FORCE, T=data.x * FORCE, A=data.y * AREA, radius=RADIUS, modulus=MODULUS,
                              toughness=TOUGHNESS, **errors)
-        return one, "c", {"free": ["toughness", "modulus"]} if problem_name == "constants" else {}, "lambda"
+        free = {"free": ["toughness", "modulus"]} if problem_name == "constants" else {}
+        return one, "c", free | to_a_factor, "lambda"
     if problem_name == "line":
         errors = {"sigma_GI": data.sigma_y, "sigma_GII": data.sigma_x} if known else {}
-        return mixity.Dataset(G_I=data.y, G_II=data.x, **errors), "linear", {"objective": "curve", "free": "toughness"}, "r"
+        options = {"objective": "curve", "free": "toughness"} | to_a_factor
+        return mixity.Dataset(G_I=data.y, G_II=data.x, **errors), "linear", options, "r"
     errors = {"sigma_Gc": data.sigma_y} if known else {}
     one = mixity.Dataset(psi=data.x, Gc_over_GIc=data.y, units=None, **errors)
-    return one, MODELS[problem_name], {"weighted": True} if known else {}, "r" if problem_name == "bk" else "lambda"
+    options = {"weighted": True} | to_a_factor if known else {}
+    return one, MODELS[problem_name], options, "r" if problem_name == "bk" else "lambda"
 
 
 def turned(problem_name, value):
