@@ -198,6 +198,23 @@ PointPlace PointPlaces::at(std::size_t i, double T) const {
   return {order, most > 0 ? std::pow(std::abs(T) / most, 2) : 0, !(point.shear() > kNoShear * most)};
 }
 
+Dataset part_of(const Dataset& data, const std::vector<std::size_t>& points) {
+  Dataset part;
+  static_cast<DatasetFacts&>(part) = data;
+  const auto take = [&](const auto& all, auto& some) {
+    if (all.empty()) return;
+    some.reserve(points.size());
+    for (const std::size_t i : points) some.push_back(all[i]);
+  };
+  take(data.points, part.points);
+  take(data.converted, part.converted);
+  take(data.errors, part.errors);
+  take(data.energies, part.energies);
+  take(data.axes, part.axes);
+  take(data.loads_beside, part.loads_beside);
+  return part;
+}
+
 Dataset corrected(Dataset data) {
   Constants readings = data.stated_constants();
   readings.shear_weight = 1;  // of the models, not of the readings

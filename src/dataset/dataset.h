@@ -112,27 +112,21 @@ struct SourceFile {
   std::size_t first_line;  // added to its line numbers
 };
 
-struct Dataset {
+/// What a data set is beside its points.
+struct DatasetFacts {
   std::string path, name;         // as opened; without folder and extension
   std::vector<SourceFile> files;  // the pooled files in order; empty: only `path`
   std::vector<InputFile> inputs;  // files read: data, their TOML, names of columns; empty for arrays
   Metadata metadata;
-  bool has_loads = false;                 // (P, T, A) rather than (psi, Gc)
-  bool has_energies = false;              // (G_I, G_II) rather than (psi, Gc)
-  bool several_spheres = false;           // some runs were scaled to the sphere of `contact`
-  bool toughness_known = true;            // false: energies with a unit but no G_Ic; the largest G_I is 1
-  std::optional<Contact> contact;         // null if the data are dimensionless or (psi, f)
-  std::size_t rows = 0;                   // data rows in the file: points + excluded
-  std::vector<Point> points;              // usable, in file order
-  std::vector<ToughnessPoint> converted;  // per point, if the data set has no loads
-  std::vector<PointErrors> errors;        // per point, if the file states any
-  std::vector<PointEnergies> energies;    // per point, if the data are energies
-  std::vector<PointAxes> axes;            // per point, if the file has the axes of elliptic contacts
-  std::vector<PullOffReading> pull_off;   // loads of pull-off, which belong to no run
-  std::vector<PointAxes> loads_beside;    // per point, loads measured beside a held approach, in q; empty: none
-  double compliance = 0;                  // dimensionless, of the machine that holds an approach; 0: rigid
-  std::vector<Excluded> excluded;
-  std::vector<std::string> curves;   // names of the loading runs: the curve column, or one per load
+  bool has_loads = false;                // (P, T, A) rather than (psi, Gc)
+  bool has_energies = false;             // (G_I, G_II) rather than (psi, Gc)
+  bool several_spheres = false;          // some runs were scaled to the sphere of `contact`
+  bool toughness_known = true;           // false: energies with a unit but no G_Ic; the largest G_I is 1
+  std::optional<Contact> contact;        // null if the data are dimensionless or (psi, f)
+  std::size_t rows = 0;                  // data rows in the file: points + excluded
+  std::vector<PullOffReading> pull_off;  // loads of pull-off, which belong to no run
+  double compliance = 0;                 // dimensionless, of the machine that holds an approach; 0: rigid
+  std::vector<std::string> curves;       // names of the loading runs: the curve column, or one per load
   std::vector<double> curve_loads;   // dimensionless load of each run, the mean of its readings; empty without loads
   std::vector<bool> shear_reversed;  // per run: whether the sign of T was changed; empty: none
   std::vector<std::string> ignored_columns;
@@ -142,6 +136,16 @@ struct Dataset {
   bool like_a_log = false;                     // it has a column of times, and many rows are not points
   std::vector<Message> notes;                  // on skipped or changed data: sentences that every fit shows
   DisplayUnits display;
+};
+
+struct Dataset : DatasetFacts {
+  std::vector<Point> points;              // usable, in file order
+  std::vector<ToughnessPoint> converted;  // per point, if the data set has no loads
+  std::vector<PointErrors> errors;        // per point, if the file states any
+  std::vector<PointEnergies> energies;    // per point, if the data are energies
+  std::vector<PointAxes> axes;            // per point, if the file has the axes of elliptic contacts
+  std::vector<PointAxes> loads_beside;    // per point, loads measured beside a held approach, in q; empty: none
+  std::vector<Excluded> excluded;
 
   /// What reports call the data: the title that is stated, else the name.
   const std::string& title() const { return metadata.title.empty() ? name : metadata.title; }
@@ -258,6 +262,9 @@ class PointPlaces {
   const Dataset& data_;
   std::vector<double> largest_;  // shear of each run
 };
+
+/// A data set of these points alone, in this order. Its runs are those of all points, some perhaps without any.
+Dataset part_of(const Dataset& data, const std::vector<std::size_t>& points);
 
 /// The data set with readings corrected by the stated constants, and those constants removed.
 Dataset corrected(Dataset data);

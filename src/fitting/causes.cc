@@ -122,7 +122,7 @@ Cause with_free(const Case& of, Constant constant, const Points& points) {
           {},
           remedy_of(constant),
           points,
-          of.refit(options, points, &of.fit.parameters),
+          of.refit(of.data, options, points, &of.fit.parameters),
           0};
 }
 
@@ -136,7 +136,7 @@ Cause by_run(const Case& of, const std::string& quantity, const Points& points) 
           {},
           Remedy::set("by_run", quantity),
           points,
-          of.refit(options, points, &of.fit.parameters),
+          of.refit(of.data, options, points, &of.fit.parameters),
           0};
 }
 
@@ -179,7 +179,7 @@ void describe(const Case& of, Cause& cause) {
   Points others;
   for (const std::size_t i : cause.points)
     if (of.data.points[i].curve != *odd) others.push_back(i);
-  FitResult without = of.refit(of.options, others, &of.fit.parameters);
+  FitResult without = of.refit(of.data, of.options, others, &of.fit.parameters);
   if (!is_found(without) || !explains(of.data, without)) return;
   const std::string& name = of.data.curves[*odd];
   cause.kind = Cause::Kind::one_run;

@@ -53,9 +53,11 @@ double independent_points(const FitResult& fit);
 /// The first test that fails, as a sentence with a remedy; empty if none does.
 Message failed_test(const Dataset& data, const FitResult& fit);
 
-/// Refits the same model to some points, for its values; starts from `near` unless that is null.
-using Refit = std::function<FitResult(const FitOptions& options, const std::vector<std::size_t>& points,
-                                      const std::vector<FittedParameter>* near)>;
+/// Refits the same model to some points of the data or of a part of them, for its values; starts from `near` unless
+/// that is null.
+using Refit =
+    std::function<FitResult(const Dataset& data, const FitOptions& options, const std::vector<std::size_t>& points,
+                            const std::vector<FittedParameter>* near)>;
 
 /// The best explanation for failed tests and its remedy, in one sentence: a wrong constant of the experiment, points
 /// past the onset of sliding, errors that are too small, or a wrong model. Empty if no test fails. `to_beat`: the

@@ -65,13 +65,14 @@ Message all_text(const std::vector<Cause>& list, const FitResult& fit) {
   return text + "; " + deciding_experiment(list);
 }
 
-/// `used`: number of points tried.
+/// `whole`: the fit of all points tried, `used`: their number. The cut's points are those of the data of `of`.
 Message sliding_text(const Case& of, const FitResult& whole, const Cut& cut, std::size_t used) {
   const std::size_t all = of.fit.used.size();
-  return (used == all ? "" : "of every " + std::to_string(all / used) + "th point ") + std::to_string(cut.points) +
-         " points lie past the onset of sliding, the first in " + of.data.line_text(of.data.points[cut.first].line) +
-         ": cut the runs there" + cut_at(cut.onsets, of.data, of.fit) + "; without them " + lambda_text(cut.fit) +
-         " and " + before_and_after(whole, cut.fit);
+  return (used == all ? "" : "of one point in " + std::to_string((all + used - 1) / used) + ", ") +
+         std::to_string(cut.points) + " points lie past the onset of sliding, the first in " +
+         of.data.line_text(of.data.points[cut.first].line) + ": cut the runs there" +
+         cut_at(cut.onsets, of.data, of.fit) + "; without them " + lambda_text(cut.fit) + " and " +
+         before_and_after(whole, cut.fit);
 }
 
 /// The reason if a few points with far smaller errors than the others explain the failure; else null.
@@ -81,7 +82,7 @@ std::optional<Message> of_heavy_points(const Case& of) {
   Points others;
   std::set_difference(of.fit.used.begin(), of.fit.used.end(), heavy.points.begin(), heavy.points.end(),
                       std::back_inserter(others));
-  const FitResult without = of.refit(of.options, others, &of.fit.parameters);
+  const FitResult without = of.refit(of.data, of.options, others, &of.fit.parameters);
   if (!is_found(without) || !explains(of.data, without)) return std::nullopt;
   const bool one = heavy.points.size() == 1;
   Message text = text_of(heavy, of.data) + ": check " + (one ? "it" : "them") + "; without " + (one ? "it " : "them ") +
@@ -121,9 +122,18 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   constexpr std::size_t kEnough = 5000;  // points to distinguish causes
   const Points points = thinned(fit.used, kEnough);
   const bool all_points = points.size() == fit.used.size();
-  const FitResult whole = all_points ? fit : refit(options, points, &fit.parameters);
+  // A part of many points stands for all as a data set of its own: what a refit costs depends on its data.
+  std::optional<Dataset> of_part;
+  FitOptions with = options;
+  if (!all_points && !options.errors) {
+    of_part = part_of(data, points);
+    with.of_whole = fit.errors;
+  }
+  const Case some{of_part ? *of_part : data, fit, with, refit, to_beat};
+  const Points tried = of_part ? PointIndices(points.size()).list() : points;
+  const FitResult whole = all_points ? fit : refit(some.data, with, tried, &fit.parameters);
   if (!is_found(whole)) return {failed, {}, {}};
-  std::vector<Cause> found = causes(of, points, kAboutAsWell);
+  std::vector<Cause> found = causes(some, tried, kAboutAsWell);
   std::erase_if(found, [&](const Cause& one) { return !(misfit(whole) - one.misfit > kAboutAsWell); });
   if (!found.empty()) {
     Diagnosis diagnosis{all_text(found, whole), {}, {}};
@@ -131,10 +141,16 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
     diagnosis.explanations = explanations_of(found);
     return diagnosis;
   }
-  const auto cut = sliding_is_tried(of, points) ? before_sliding(of, points, kFew) : std::nullopt;
-  if (cut && explains(data, cut->fit)) return {sliding_text(of, whole, *cut, points.size()), {}, {}};
+  auto cut = sliding_is_tried(some, tried) ? before_sliding(some, tried, kFew) : std::nullopt;
+  if (cut && explains(some.data, cut->fit)) {
+    if (of_part) {
+      cut->first = points[cut->first];
+      for (std::size_t& onset : cut->onsets) onset = points[onset];
+    }
+    return {sliding_text(of, whole, *cut, points.size()), {}, {}};
+  }
   if (!to_beat && data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
-    if (const auto without = explained_without_ends(of, whole, points))
+    if (const auto without = explained_without_ends(some, whole, tried))
       return {"the model describes the points but for the last tenth of each run; without it " + lambda_text(*without),
               {},
               {}};

@@ -21,11 +21,10 @@ constexpr std::uint32_t kOfA = kConstantA | kShareA, kOfT = kConstantT | kShareT
 
 double square(double x) { return x * x; }
 
-/// How many neighbours become one row: of many points those of a run have almost the same variance. `own`: where runs
-/// are taken apart, the rows stay as they are.
-std::size_t pool_of(std::size_t points, bool own) {
+/// How many neighbours become one row: of many points those of a run have almost the same variance.
+std::size_t pool_of(std::size_t points) {
   constexpr std::size_t kRows = kManyPoints / 2;
-  return points < kManyPoints || own ? 1 : points / kRows;
+  return points < kManyPoints ? 1 : points / kRows;
 }
 
 /// The rows that add(g, rows) makes of each run. Pooled rows are of one run, and their runs are handled in parallel.
@@ -243,7 +242,7 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, const PointIndic
                                            const std::vector<std::vector<double>>& own, bool may_correlate) {
   constexpr double kContradicted = 6;  // fall of ln L of the residuals when the differences of T are included
   ErrorModels models = before;
-  const std::size_t pool = pool_of(used.size(), !own.empty());
+  const std::size_t pool = pool_of(used.size());
   constexpr std::size_t kFewest = 12;  // residuals needed to estimate a correlation
   constexpr double kScatter = 0.5;
   const bool choose = stage == Stage::weighting || stage == Stage::choosing, ends = stage == Stage::ending;

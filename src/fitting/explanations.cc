@@ -37,7 +37,7 @@ std::optional<std::vector<bool>> far_off(const Case& of, const FitResult& fit, c
   as_found.constants = constants_of(of.data, of.options, fit.parameters);
   as_found.free.clear();
   as_found.errors = fit.errors;
-  const FitResult all = of.refit(as_found, points, nullptr);
+  const FitResult all = of.refit(of.data, as_found, points, nullptr);
   if (all.residuals.empty()) return std::nullopt;
   std::vector<bool> off(of.data.points.size(), false);
   for (std::size_t k = 0; k < all.used.size(); ++k)
@@ -95,7 +95,7 @@ std::optional<Cut> before_sliding(const Case& of, const Points& points, std::siz
     }
   std::vector<FittedParameter> near;
   for (int round = 0; round < kRounds && before.size() > of.fit.free_parameters + kFew; ++round) {
-    FitResult start = of.refit(of.options, before, near.empty() ? nullptr : &near);
+    FitResult start = of.refit(of.data, of.options, before, near.empty() ? nullptr : &near);
     if (!is_found(start)) return std::nullopt;
     near = start.parameters;
     const auto off = far_off(of, start, points);
@@ -123,7 +123,7 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
   Points before = points;
   std::erase_if(before,
                 [&](std::size_t i) { return of.data.points[i].shear() > 0.9 * largest[of.data.points[i].curve]; });
-  return of.refit(of.options, before, &whole.parameters);
+  return of.refit(of.data, of.options, before, &whole.parameters);
 }
 
 bool explains(const Dataset& data, const FitResult& fit) {

@@ -67,9 +67,9 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
     }
   }
   if (!result.consistency) return;
-  const Refit refit = [&](const FitOptions& with, const std::vector<std::size_t>& points,
+  const Refit refit = [&](const Dataset& of, const FitOptions& with, const std::vector<std::size_t>& points,
                           const std::vector<FittedParameter>* near) {
-    return fit(data, result.model, with, Purpose::tried, &points, near);
+    return fit(of, result.model, with, Purpose::tried, &points, near);
   };
   Diagnosis found = diagnose(data, result, value_only(options), refit, to_beat);
   if (found.reason.empty() && result.status == FitStatus::ok && options.checks) {

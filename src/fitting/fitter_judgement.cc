@@ -123,16 +123,18 @@ void Fitter::add_goodness(const std::vector<double>& x) {
   add_pull_off(x);
   result_.innovations.resize(result_.used.size());
   const bool alone = result_.of_pull_off_alone();
-  std::vector<double> targets = problem_->targets(), weights = problem_->weights();
-  for (std::size_t i = 0; alone && i < data_.pull_off.size(); ++i) {
-    const MeasuredPullOff one = measured_pull_off(data_.pull_off[i], result_.errors->pull_off, 0);
-    weights.push_back(1 / one.sigma_P);
-    targets.push_back(one.P / one.sigma_P);
+  {  // of millions of points each array counts
+    std::vector<double> targets = problem_->targets(), weights = problem_->weights();
+    for (std::size_t i = 0; alone && i < data_.pull_off.size(); ++i) {
+      const MeasuredPullOff one = measured_pull_off(data_.pull_off[i], result_.errors->pull_off, 0);
+      weights.push_back(1 / one.sigma_P);
+      targets.push_back(one.P / one.sigma_P);
+    }
+    const Goodness fit = goodness(alone ? result_.pull_off_residuals : result_.residuals, targets, weights);
+    result_.r2 = fit.r2;
+    result_.rmse = fit.rmse;
+    result_.max_abs_residual = fit.max_abs_residual;
   }
-  const Goodness fit = goodness(alone ? result_.pull_off_residuals : result_.residuals, targets, weights);
-  result_.r2 = fit.r2;
-  result_.rmse = fit.rmse;
-  result_.max_abs_residual = fit.max_abs_residual;
   if (purpose_ != Purpose::shown) return;
   result_.standard_error =
       problem_->known_errors() ? 1 : spread(alone ? result_.pull_off_residuals : result_.residuals);

@@ -54,6 +54,8 @@ struct FitOptions {
   bool fitted_errors = true;
   /// Errors of all points from an earlier fit of these data; null: from sigma_T, sigma_A, columns or the scatter.
   std::shared_ptr<const StandardErrors> errors{};
+  /// Where the data are a part of others: the errors of these, whose scatter and resolution are known better.
+  std::shared_ptr<const StandardErrors> of_whole{};
   /// A refit is given up where the least squares without priors have a misfit (causes.h) above this. Null: never.
   std::optional<double> most_misfit{};
   /// A refit that is of interest only if it passes the tests is given up where it will not.

@@ -203,10 +203,11 @@ PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOpt
   hold_parameters(data, options, prepared);
   if (data.has_loads && (objective == Objective::curve || options.weighted))
     // A fit with given errors finds none, so that these are never changed.
-    prepared.errors = options.errors && objective == Objective::curve
-                          ? std::const_pointer_cast<StandardErrors>(options.errors)
-                          : std::make_shared<StandardErrors>(
-                                standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve));
+    prepared.errors =
+        options.errors && objective == Objective::curve
+            ? std::const_pointer_cast<StandardErrors>(options.errors)
+            : std::make_shared<StandardErrors>(standard_errors(data, options.sigma_T, options.sigma_A,
+                                                               objective == Objective::curve, options.of_whole.get()));
   if (prepared.errors && options.free_sigma_factor && !options.errors) prepared.errors->factor_is_free = true;
   require_errors_for_their_factor(data, options, objective, prepared);
   return prepared;

@@ -145,6 +145,20 @@ std::optional<ErrorModel> proportional(const Dataset& data, const std::vector<do
   return all && share > 0 ? std::optional(ErrorModel{0, share}) : std::nullopt;
 }
 
+/// The resolution of T and of A; 0: none found.
+std::pair<double, double> steps(const Dataset& data) {
+  std::vector<std::vector<double>> T, A;
+  for (const auto& run : points_by_curve(data)) {
+    T.emplace_back();
+    A.emplace_back();
+    for (const std::size_t i : run) {
+      T.back().push_back(data.points[i].shear());
+      A.back().push_back(data.points[i].A);
+    }
+  }
+  return {common_step(T), common_step(A)};
+}
+
 }  // namespace
 
 double largest_value(const Dataset& data, double Point::*quantity) {
@@ -154,7 +168,7 @@ double largest_value(const Dataset& data, double Point::*quantity) {
 }
 
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
-                               const std::optional<StatedError>& sigma_A, bool both_axes) {
+                               const std::optional<StatedError>& sigma_A, bool both_axes, const StandardErrors* whole) {
   const auto any = [&](auto says) { return std::any_of(data.errors.begin(), data.errors.end(), says); };
   const ErrorModel stated_T =
       understand(data, "sigma_T", sigma_T, dimension::force, data.contact ? data.contact->force_unit() : 1);
@@ -173,7 +187,8 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
                                           : ErrorSource::scatter;
   if (!has_A || errors.source_T == ErrorSource::scatter) {
     constexpr double kAssumed = 0.01;
-    errors.scatter = relative_scatter(data);
+    const bool assumed = whole && (whole->source_A == ErrorSource::assumed || whole->source_T == ErrorSource::assumed);
+    if (!assumed) errors.scatter = whole && whole->scatter ? whole->scatter : relative_scatter(data);
     for (ErrorSource* source : {&errors.source_A, &errors.source_T})
       if (!errors.scatter && *source == ErrorSource::scatter) *source = ErrorSource::assumed;
     if (!errors.scatter) errors.scatter = kAssumed;
@@ -207,17 +222,7 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
       refuse_value(data, point, "sigma_T",
                    "this point has no standard error of its shear load (sigma_T is empty; 0 says that T is exact)");
   }
-  std::vector<std::vector<double>> T, A;
-  for (const auto& run : points_by_curve(data)) {
-    T.emplace_back();
-    A.emplace_back();
-    for (const std::size_t i : run) {
-      T.back().push_back(data.points[i].shear());
-      A.back().push_back(data.points[i].A);
-    }
-  }
-  errors.step_T = common_step(T);
-  errors.step_A = common_step(A);
+  std::tie(errors.step_T, errors.step_A) = whole ? std::pair(whole->step_T, whole->step_A) : steps(data);
   const auto model = [&](ErrorSource source, const ErrorModel& stated, const std::vector<double>& sigma,
                          double Point::*value) -> std::optional<ErrorModel> {
     if (source == ErrorSource::columns) return proportional(data, sigma, value);

@@ -102,10 +102,12 @@ struct StandardErrors {
 /// from the distance of points from the line between their neighbours in the run, ignoring repeated rows; or 1 % if
 /// fewer than three points have neighbours. If only A has one, T gets that estimate with `both_axes` (too large rather
 /// than too small, since it includes the scatter of A), and is exact otherwise. `both_axes`: the fit needs both errors,
-/// so those of 0 are raised to kLeastError of the largest value. Throws InputError for an empty field in a column of
-/// errors, for an error of A of 0 without `both_axes`, and for a stated error in a wrong unit.
+/// so those of 0 are raised to kLeastError of the largest value. `whole`: the errors of all points, of which these are
+/// a part; scatter and resolution are those. Throws InputError for an empty field in a column of errors, for an error
+/// of A of 0 without `both_axes`, and for a stated error in a wrong unit.
 StandardErrors standard_errors(const Dataset& data, const std::optional<StatedError>& sigma_T,
-                               const std::optional<StatedError>& sigma_A, bool both_axes = false);
+                               const std::optional<StatedError>& sigma_A, bool both_axes = false,
+                               const StandardErrors* whole = nullptr);
 
 /// The largest modulus of this quantity; 1 where all are 0.
 double largest_value(const Dataset& data, double Point::*quantity);

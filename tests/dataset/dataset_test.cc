@@ -270,6 +270,20 @@ TEST(Dataset, WhatIsNoTextInTheNameOfAFileIsAQuestionMark) {
   EXPECT_EQ(load_dataset(folder.write("Prob\xe4.csv", "P,T,A\n1,0,20\n")).name, "Prob?");
 }
 
+TEST(Dataset, APartHasWhatBelongsToItsPoints) {
+  const Dataset data = load_text(
+      "curve,P,T,A,sigma_T,sigma_A\na,1,0,20,0.1,0.2\nb,5,1,25,0.3,0.4\nc,9,2,30,0.5,0.6\n");
+  const Dataset part = part_of(data, {2, 1});
+  ASSERT_EQ(part.points.size(), 2);
+  for (const auto& [i, of_all] : {std::pair(0U, 2U), std::pair(1U, 1U)}) {
+    EXPECT_EQ(part.points[i].line, data.points[of_all].line);
+    EXPECT_EQ(part.curves[part.points[i].curve], data.curves[data.points[of_all].curve]);
+    EXPECT_EQ(part.errors_of(i).A, data.errors_of(of_all).A);
+  }
+  EXPECT_EQ(part.title(), data.title());
+  EXPECT_EQ(part_of(load_text("psi,Gc\n0.1,2\n0.2,3\n"), {1}).toughness(0)->ratio, 3);
+}
+
 TEST(Dataset, AMillionRowsAreRead) {
   std::string csv = "P,T,A\n";
   for (int i = 0; i < 1000000; ++i) csv += "1," + std::to_string(i) + "e-6,19.5\n";

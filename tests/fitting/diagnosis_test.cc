@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dataset/exclusion.h"
+#include "fitting/consistency.h"
 #include "fitting/fit.h"
 #include "fitting/measured_runs.h"
 
@@ -81,6 +82,57 @@ TEST(Diagnosis, NamesPointsPastTheOnsetOfSliding) {
   exclude(data, {{*parse_lines("25-26"), *parse_lines("50-51"), *parse_lines("75-76"), *parse_lines("100-101"),
                   *parse_lines("125-126"), *parse_lines("150-151")}});
   EXPECT_EQ(fitted(data).status, FitStatus::ok);
+}
+
+/// Of 10,200 points every third is tried, in a data set of their own.
+Dataset many_with_sliding(std::size_t in_run, std::size_t sliding) {
+  Dataset data = measured_runs(5, {}, in_run);
+  for (Point& point : data.points)
+    if ((point.line - 2) % in_run >= in_run - sliding) {
+      point.T *= 1.25;
+      point.A *= 0.8;
+    }
+  return data;
+}
+
+TEST(Diagnosis, NamesTheLinesOfTheFileWhereAPartOfManyPointsIsTried) {
+  constexpr std::size_t kInRun = 1700, kSliding = 50;
+  const FitResult fit = fitted(many_with_sliding(kInRun, kSliding));
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  const std::string text = fit.message.text();
+  EXPECT_TRUE(text.starts_with("of one point in 3, 100 points lie past the onset of sliding")) << text;
+  // of each run all points from the first that is tried among those that slide
+  std::size_t at = text.find("exclude = \"");
+  ASSERT_NE(at, std::string::npos) << text;
+  at += std::string("exclude = \"").size();
+  for (std::size_t run = 0; run < 6; ++run) {
+    const std::size_t last = kInRun * (run + 1) + 1, first = std::stoul(text.substr(at));
+    EXPECT_GT(first, last - kSliding);
+    EXPECT_LE(first, last - kSliding + 3);
+    const std::string ends = "-" + std::to_string(last) + (run < 5 ? "," : "\"");
+    at = text.find(ends, at);
+    ASSERT_NE(at, std::string::npos) << ends << " in " << text;
+    at += ends.size();
+  }
+}
+
+TEST(Diagnosis, TriesCausesInADataSetOfAPartOfManyPointsWithTheScatterOfAll) {
+  const Dataset data = many_with_sliding(1700, 50);
+  const FitResult fit = fit_and_test(data, "c", {});
+  ASSERT_TRUE(fit.errors && fit.errors->scatter);
+  const double scatter = *fit.errors->scatter;
+  std::size_t refits = 0;
+  const Refit refit = [&](const Dataset& of, const FitOptions& with, const std::vector<std::size_t>& points,
+                          const std::vector<FittedParameter>* near) {
+    ++refits;
+    EXPECT_LE(of.points.size(), 5000u);
+    FitResult found = fit_and_test(of, "c", with, &points);
+    EXPECT_TRUE(found.errors && (with.errors || found.errors->scatter == scatter));
+    (void)near;
+    return found;
+  };
+  diagnose(data, fit, value_only({}), refit);
+  EXPECT_GT(refits, 1u);
 }
 
 TEST(Diagnosis, SaysThatErrorsAreUnderstated) {

@@ -1,4 +1,4 @@
-"""mixity's package: what `mixity fit` does by default, told the errors only where they are known."""
+"""mixity's package: what `mixity fit` does by default, told the errors where they are known, or known to a factor."""
 
 import math
 
