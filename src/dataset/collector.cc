@@ -98,7 +98,10 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
   if (const double ratio = std::exp(std::abs(read.axes.q)); ratio > largest_axes_) {
     largest_axes_ = ratio;
     line_of_largest_ = row.line();
+    along_ = read.axes.q > 0;
   }
+  direction_ += read.direction;
+  weight_ += std::abs(read.direction);
   if (columns().holds_pull_off()) {
     data_.pull_off.push_back(read.pull_off);
     return;
@@ -259,12 +262,21 @@ void Collector::add_note_on_axes() {
   const double eccentricity = std::sqrt(1 - 1 / (largest_axes_ * largest_axes_));
   std::string note = "areas are those of ellipses, axes as " + rounded(largest_axes_, 4) + " to 1 (eccentricity " +
                      rounded(eccentricity, 3) + ") at most";
-  if (largest_axes_ > 1) note += ", in line " + std::to_string(line_of_largest_);
+  if (largest_axes_ > 1)
+    note += ", in line " + std::to_string(line_of_largest_) + ", the longer one " + (along_ ? "along" : "across") +
+            " the shear";
   if (largest_axes_ > kNearlyRound)
     note += "; the models are of a circle, and around such an edge the energy release rate varies by about " +
             rounded(100 * (largest_axes_ - 1), 2) + "%";
   if (columns().has(ColumnId::major) && !columns().has(ColumnId::angle))
     note += "; without the column 'angle' the major axis is taken to lie across the shear";
+  // Shear stretches a contact along or across itself. Noise has no direction.
+  constexpr double kOblique = 10, kCommon = 0.5;
+  const double degrees = std::arg(direction_) / 4 * 180 / std::numbers::pi;
+  if (std::abs(degrees) > kOblique && std::abs(direction_) > kCommon * weight_)
+    note += "; they lie " + rounded(std::abs(degrees), 2) +
+            " degrees from the shear and the direction across it: 'angle' is to be measured from the shear, so turn it "
+            "if the image is turned";
   data_.notes.push_back(note);
 }
 

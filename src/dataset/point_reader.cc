@@ -116,7 +116,7 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
                T = number.with_error(ColumnId::T, ColumnId::sigma_T, in_T);
   double area = 0;
   if (lengths && !lengths->round()) {
-    if (const std::string_view why = read_axes(*lengths, number, area, in_A, read.axes); !why.empty()) return why;
+    if (const std::string_view why = read_axes(*lengths, number, area, in_A, read); !why.empty()) return why;
     if (columns_.has(ColumnId::A)) in_A = kNotStated;
   }
   if (columns_.has(ColumnId::A)) area = number.with_error(ColumnId::A, ColumnId::sigma_A, in_A);
@@ -167,7 +167,8 @@ std::string_view PointReader::read_pull_off(Numbers& number, ReadPoint& read) co
 
 /// Sets the ratio of the axes of an ellipse and, in SI, its area with its standard error.
 std::string_view PointReader::read_axes(const ContactLengths& lengths, Numbers& number, double& area, double& sigma_A,
-                                        PointAxes& axes) const {
+                                        ReadPoint& read) const {
+  PointAxes& axes = read.axes;
   double in_one = kNotStated, in_other = kNotStated;
   const double one = number.with_error(lengths.one, ColumnId::sigma_a_par, in_one),
                other = number.with_error(lengths.other, ColumnId::sigma_a_perp, in_other);
@@ -178,6 +179,7 @@ std::string_view PointReader::read_axes(const ContactLengths& lengths, Numbers& 
     turn = number(ColumnId::angle) * (angle->unit.dimension == dimension::none ? std::numbers::pi / 180 : 1);
   const double turned = turn_of_axes(lengths, turn);
   axes.q = std::log(one / other) * turned;
+  read.direction = std::polar(std::pow(std::log(one / other), 2), 4 * turn.value_or(0));
   // the columns state errors of semi-axes
   const double half = lengths.parts == 4 ? 2 : 1;
   double sigma_one = kNotStated, sigma_other = kNotStated;

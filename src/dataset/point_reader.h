@@ -1,6 +1,7 @@
 // Makes a point of a row, or gives the reason why the row cannot be used.
 #pragma once
 
+#include <complex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,7 @@ struct ReadPoint {
   PointErrors errors;
   PointEnergies energies;
   PointAxes axes, load;  // load: measured beside a held approach
+  std::complex<double> direction;  // of the axes: ln(longer/shorter)^2 e^(4i angle)
   PullOffReading pull_off;
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign
@@ -66,7 +68,7 @@ class PointReader {
   std::string_view read_loads(Numbers& number, ReadPoint& point) const;
   std::string_view read_pull_off(Numbers& number, ReadPoint& point) const;
   std::string_view read_axes(const ContactLengths& lengths, Numbers& number, double& area, double& sigma_A,
-                             PointAxes& axes) const;
+                             ReadPoint& read) const;
   std::string_view read_toughness(Numbers& number, ReadPoint& point) const;
   std::string_view read_energies(Numbers& number, ReadPoint& point) const;
 

@@ -57,19 +57,28 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
     const double rest = static_cast<double>(prepared_.used.size() + prior_count(*problem_) - x.size());
     if (!sums || !any_differs(sums->rows, sums->groups, rest)) return {};
   }
-  const auto rows = run_rows(data_, options_, prepared_, x, nearest.residuals, names, 1);
+  const std::size_t points = nearest.residuals.size();
+  std::vector<double> residuals = nearest.residuals;
+  residuals.insert(residuals.end(), nearest.axes.begin(), nearest.axes.end());
+  residuals.insert(residuals.end(), nearest.pull_off.begin(), nearest.pull_off.end());
+  const auto rows = run_rows(data_, options_, prepared_, x, residuals, names, 1);
   if (!rows) return {};
-  const Groups groups = used_runs(data_, prepared_.used).groups;
+  Groups groups = used_runs(data_, prepared_.used).groups;
+  const Groups of_points = groups;
+  if (!nearest.axes.empty()) add_rows_of_axes(groups);
   if (!apart) apart = differ_more_than_neighbours(*rows, groups, nearest, leverage, models, by_neighbours);
   if (!apart) return {};
   const Eigen::VectorXd spread = free_spreads(*rows, groups);
   const auto probable = most_probable(grouped_rows(rows->J, rows->r, rows->Zw, groups), spread);
   if (!probable) return {};
+  // The parameters move, too: what one run's own values leave, others may take.
+  const Eigen::VectorXd moved = rows->bare * probable->step;
+  for (std::size_t i = 0; i < points; ++i) nearest.residuals[i] += moved[static_cast<Eigen::Index>(i)];
   std::vector<std::vector<double>> own;
   for (Eigen::Index q = 0; q < spread.size(); ++q) {
-    own.emplace_back(rows->Z.col(q).begin(), rows->Z.col(q).end());
+    own.emplace_back(rows->Z.col(q).begin(), rows->Z.col(q).begin() + static_cast<std::ptrdiff_t>(points));
     for (std::size_t g = 0; g < groups.size(); ++g)
-      for (const std::size_t i : groups[g])
+      for (const std::size_t i : of_points[g])
         nearest.residuals[i] += rows->Z(static_cast<Eigen::Index>(i), q) * probable->deviations[g][q];
   }
   const Eigen::VectorXd shares = shares_of_noise(rows->J, rows->Zw, groups, spread);
@@ -87,19 +96,20 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
   if (!by_neighbours) by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
   if (!by_neighbours || !by_neighbours->correlations.any()) return true;
   constexpr double kEnough = 1e-3;  // of a spread; ln L, which decides, is stationary there
-  // In units of the scatter within the runs.
-  const Eigen::Index n = rows.Zw.rows();
+  // In units of the scatter within the runs. That of neighbours is the likelihood of the points alone, without axes.
+  const auto n = static_cast<Eigen::Index>(nearest.residuals.size());
+  const Groups of_points = used_runs(data_, prepared_.used).groups;
   const GroupedRows whole = grouped_rows(rows.J, rows.r, rows.Zw, groups);
   const auto within = most_probable(whole, free_spreads(rows, groups));
   if (!within) return false;
-  Eigen::VectorXd left = rows.r.head(n);
+  Eigen::VectorXd left = rows.r + rows.J * within->step;
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (const std::size_t i : groups[g])
       left[static_cast<Eigen::Index>(i)] += rows.Zw.row(static_cast<Eigen::Index>(i)).dot(within->deviations[g]);
   const double unit = left.norm() / std::sqrt(std::max(rest - static_cast<double>(2 * groups.size()), 1.0));
   const auto spreads = restricted_spreads(grouped_rows(rows.J / unit, rows.r / unit, rows.Zw / unit, groups), kEnough);
   if (!spreads) return false;
-  const GroupWhitening whitening(rows.Zw / unit, spreads->spread, groups);
+  const GroupWhitening whitening(rows.Zw.topRows(n) / unit, spreads->spread, of_points);
   std::vector<double> r(rows.r.begin(), rows.r.begin() + n);
   whitening.apply(r);
   const double count = static_cast<double>(n),
@@ -117,6 +127,7 @@ bool Fitter::differ_more_than_neighbours(const RunRows& rows, const Groups& grou
 /// interval is wider by more than half, it is the one shown.
 void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
   constexpr std::size_t kFewest = 4;  // runs: with fewer, the estimate itself is too uncertain
+  constexpr double kByChance = 0.01, kLeastScatter = 1e-3;
   // Where neighbours correlate, the profile depends on an estimate of that, too.
   const double wider = prepared_.errors->correlations.any() ? 1 : 1.5;
   const auto first = std::find_if(result_.parameters.begin(), result_.parameters.end(),
@@ -133,6 +144,10 @@ void Fitter::widen_by_jackknife(const RunRows& rows, const Groups& groups) {
   const double half = std::hypot(beyond(*error, static_cast<double>(groups.size() - 1)),
                                  beyond(*first->stderr_ * std::sqrt(std::max(1 - scatter, 0.0)), 1e6));
   if (!(2 * half > wider * (*shown.high - *shown.low))) return;
+  // Few runs scatter much by chance: with both axes measured the noise of the points is known well enough to tell.
+  const double freedom = static_cast<double>(groups.size() - 1),
+               beside = std::pow(*error / *first->stderr_, 2) / std::max(scatter, kLeastScatter);
+  if (result_.axes > 0 && chi_squared_p_value(freedom * beside, freedom) > kByChance) return;
   shown = {"jackknife",
            shown.confidence,
            std::max(*first->value - half, first->lower),

@@ -152,12 +152,13 @@ std::optional<RunRows> run_rows(const Dataset& data, const FitOptions& options, 
   std::vector<double> r = residuals;
   r.resize(n);
   const std::size_t points = prepared.used.size();  // the rows of axes follow
+  found.bare = whole.leftCols(columns) / unit;
   if (neighbours) {
     neighbours->apply(std::span(r).first(points));
     for (std::size_t k = 0; k < width; ++k)
       neighbours->apply(std::span(jacobian).first(points * width).subspan(k), width);
   }
-  found.J = whole.leftCols(columns) / unit;
+  found.J = neighbours ? Eigen::MatrixXd(whole.leftCols(columns) / unit) : found.bare;
   found.r = as_vector(r) / unit;
   found.Zw = found.Z;
   if (neighbours)

@@ -41,6 +41,7 @@ struct RunRows {
   Eigen::MatrixXd J;      // rows of the data, then of the priors
   Eigen::VectorXd r;      // in the same order
   Eigen::MatrixXd Z, Zw;  // [data x quantities]: as the residuals are; decorrelated like J
+  Eigen::MatrixXd bare{};  // J of the data as the residuals are
 };
 /// `x`: the solver's parameters in a fit with objective curve; `residuals`: its residuals minus the expected ones;
 /// `quantities`: names of a model parameter or of constants; `unit`: standard error of a residual. Null where a value

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "mechanics/elliptic_equations.h"
@@ -40,12 +41,12 @@ class EllipticCurve : public EllipticEquations<Law> {
     bool by_T;
   };
 
-  /// The curve up to T_most, beyond which no point is nearest.
+  /// The curve up to T_most, beyond which no point is nearest. It is followed as far as it is asked for.
   EllipticCurve(const Law& law, const Parameters<Law>& mode_II, const Parameters<Law>& mode_III, double poisson_ratio,
                 double P, double T_most)
-      : Equations(law, mode_II, mode_III, poisson_ratio, P) {
+      : Equations(law, mode_II, mode_III, poisson_ratio, P), T_most_(T_most) {
     spots_.push_back(spot_of(Equations::first_mark()));
-    if (!Equations::uncoupled() && begin()) walk(T_most);
+    whole_ = Equations::uncoupled() || !begin();
   }
 
   /// The nearest state, and whether it is the end of the curve.
@@ -62,29 +63,15 @@ class EllipticCurve : public EllipticEquations<Law> {
       spot.by_T = true;
       return {spot, false, square_of(offset(spot, to))};
     }
-    // the nearest chord first; then those that are nearer than their neighbours and may hide a nearer state
-    const std::size_t chords = spots_.size() - 1;
-    squares_.resize(chords + 2);
-    squares_[0] = squares_[chords + 1] = std::numeric_limits<double>::infinity();
-    std::size_t first = 1;
-    for (std::size_t i = 1; i <= chords; ++i) {
-      squares_[i] = chord_square(i - 1, to);
-      if (squares_[i] < squares_[first]) first = i;
-    }
-    Nearest best{spots_[0], false, square_of(offset(spots_[0], to))};
-    if (chords == 0) return best;
-    if (const Nearest found = refined(first - 1, to); found.square < best.square) best = found;
-    for (std::size_t i = 1; i <= chords; ++i) {
-      if (i == first || squares_[i] > squares_[i - 1] || squares_[i] > squares_[i + 1] || !std::isfinite(squares_[i]))
-        continue;
-      if (std::sqrt(squares_[i]) - sag(i - 1, to) > std::sqrt(best.square)) continue;
-      if (const Nearest found = refined(i - 1, to); found.square < best.square) best = found;
-    }
-    return best;
+    walk_below(to.A - 2 * to.sigma_A);
+    const Nearest best = nearest_so_far(to);
+    // the area falls along the curve: what follows is no nearer than the area at which it begins
+    return walk_below(to.A - std::sqrt(best.square) * to.sigma_A) ? nearest_so_far(to) : best;
   }
 
   /// The T at which the curve first has this area; NaN if it never does.
-  double shear_at(double A) const {
+  double shear_at(double A) {
+    walk_to_the_end();
     for (std::size_t i = 0; i + 1 < spots_.size(); ++i) {
       const Spot &low = spots_[i], &high = spots_[i + 1];
       if (low.by_T != high.by_T || A > low.A || A < high.A) continue;
@@ -99,7 +86,8 @@ class EllipticCurve : public EllipticEquations<Law> {
   }
 
   /// States for drawing, up to T_most.
-  std::vector<CurvePoint> sampled(double T_most) const {
+  std::vector<CurvePoint> sampled(double T_most) {
+    walk_to_the_end();
     constexpr int kParts = 6;
     std::vector<CurvePoint> points;
     const auto add = [&](const Spot& s) {
@@ -141,11 +129,38 @@ class EllipticCurve : public EllipticEquations<Law> {
   static double load_per_area(double A) { return 2 * std::sqrt(A / pi<double>()) / pi<double>(); }
 
  private:
+  /// The nearest state of what is known of the curve.
+  Nearest nearest_so_far(const EllipticReading& to) {
+    // the nearest chord first; then those that are nearer than their neighbours and may hide a nearer state
+    const std::size_t chords = spots_.size() - 1;
+    squares_.resize(chords + 2);
+    squares_[0] = squares_[chords + 1] = std::numeric_limits<double>::infinity();
+    std::size_t first = 1;
+    Vector at = offset(spots_[0], to);
+    Nearest best{spots_[0], false, square_of(at)};
+    for (std::size_t i = 1; i <= chords; ++i) {
+      const Vector next = offset(spots_[i], to);
+      squares_[i] = spots_[i - 1].by_T == spots_[i].by_T ? chord_square(at, next)
+                                                         : std::numeric_limits<double>::infinity();
+      if (squares_[i] < squares_[first]) first = i;
+      at = next;
+    }
+    if (chords == 0) return best;
+    if (const Nearest found = refined(first - 1, to); found.square < best.square) best = found;
+    for (std::size_t i = 1; i <= chords; ++i) {
+      if (i == first || squares_[i] > squares_[i - 1] || squares_[i] > squares_[i + 1] || !std::isfinite(squares_[i]))
+        continue;
+      if (std::sqrt(squares_[i]) - sag(i - 1, to) > std::sqrt(best.square)) continue;
+      if (const Nearest found = refined(i - 1, to); found.square < best.square) best = found;
+    }
+    return best;
+  }
+
   static double square_of(const Vector& v) { return dot(v, v); }
 
   Spot spot_of(const Mark& mark) const {
-    const double y = edge_load_at(mark.phi), w = y + P_, A = area_from_edge_load(y, P_);
-    const double w_slope = -S0_ * std::sin(mark.phi), w_bend = -S0_ * std::cos(mark.phi), per = 2 * A / (3 * w);
+    const double y = mark.y, w = y + P_, A = area_from_edge_load(y, P_);
+    const double w_slope = mark.y_slope, w_bend = 3 * pi<double>() - y, per = 2 * A / (3 * w);
     return {mark.phi,
             w,
             mark.q,
@@ -195,33 +210,53 @@ class EllipticCurve : public EllipticEquations<Law> {
     return false;
   }
 
-  void walk(double T_most) {
-    constexpr double kStep = 0.12, kLeast = 1e-9, kFarther = 0.2,
-                     kLast = 3.08;  // before T = 0 of the unstable JKR state
-    // towards an asymptote cubics fail on chords along which the slope grows more; T is not resolved by finer ones
-    constexpr double kSteep = 1e3, kSteeper = 3, kFine = 1e-4;
-    for (double step = kStep;;) {
-      const Spot from = spots_.back();
-      std::optional<Mark> to;
-      step = std::min({4 * step, kStep, kLast - from.at});  // where steps must be short, the next one must, too
-      for (; step > kLeast; step *= 0.5) {
-        to = mark_at(from.at + step, from.q + step * from.dq, std::max(from.T + step * from.dT, 0.5 * from.T),
-                     from.least);
-        const bool bends = to && from.dT > 0 && to->T_slope > kSteeper * from.dT && step > kFine;
-        if (to && std::abs(to->q - from.q) < kFarther && !bends) break;
-        to.reset();
-      }
-      if (!to) {
-        if (from.dT > kSteep * from.T && from.T < T_most) walk_in_T(T_most);
-        return;
-      }
-      spots_.push_back(spot_of(*to));
-      if (to->T > T_most && to->T_slope > 0) return;
-    }
+  void walk_to_the_end() {
+    while (!whole_) walk();
   }
 
-  void walk_in_T(double T_most) {
-    while (spots_.back().T < T_most) {
+  /// As far as areas below this one. Whether anything was added.
+  bool walk_below(double A) {
+    const std::size_t before = spots_.size();
+    while (!whole_ && !(spots_.back().A < A)) walk();
+    return spots_.size() > before;
+  }
+
+  /// One spot further, or the rest of the curve.
+  void walk() {
+    constexpr double kLeast = 1e-9, kFarther = 0.2, kLast = 3.08;  // before T = 0 of the unstable JKR state
+    // towards an asymptote cubics fail on chords along which the slope grows more; T is not resolved by finer ones
+    constexpr double kSteep = 1e3, kSteeper = 3, kFine = 1e-4;
+    const Spot from = spots_.back();
+    std::optional<Mark> to;
+    double step = std::min({4 * step_, kStep, kLast - from.at});  // where steps must be short, the next one must, too
+    for (; step > kLeast; step *= 0.5) {
+      const auto [q, T] = continued(from, step);
+      to = mark_at(from.at + step, q, std::max(T, 0.5 * from.T), from.least);
+      const bool bends = to && from.dT > 0 && to->T_slope > kSteeper * from.dT && step > kFine;
+      if (to && std::abs(to->q - from.q) < kFarther && !bends) break;
+      to.reset();
+    }
+    step_ = step;
+    whole_ = !to || (to->T > T_most_ && to->T_slope > 0);
+    if (to)
+      spots_.push_back(spot_of(*to));
+    else if (from.dT > kSteep * from.T && from.T < T_most_)
+      walk_in_T();
+  }
+
+  /// q and T a step beyond the last spot, on the cubics of its chord.
+  std::pair<double, double> continued(const Spot& from, double step) const {
+    const Spot& before = spots_[spots_.size() - 2];
+    const double width = from.at - before.at;
+    if (before.by_T || !(width > 0) || step < 0.99 * width || step > 1.01 * width)
+      return {from.q + step * from.dq, from.T + step * from.dT};
+    const double x = 1 + step / width;
+    return {cubic(x, width, before.q, before.dq, from.q, from.dq),
+            cubic(x, width, before.T, before.dT, from.T, from.dT)};
+  }
+
+  void walk_in_T() {
+    while (spots_.back().T < T_most_) {
       const Spot& from = spots_.back();
       const auto to = spot_at_T(std::max(2 * from.T, 1e-3), from.w, from.q);
       if (!to) return;
@@ -231,9 +266,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     }
   }
 
-  double chord_square(std::size_t i, const EllipticReading& to) const {
-    if (spots_[i].by_T != spots_[i + 1].by_T) return std::numeric_limits<double>::infinity();
-    const Vector a = offset(spots_[i], to), b = offset(spots_[i + 1], to);
+  static double chord_square(const Vector& a, const Vector& b) {
     const Vector d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const double length = square_of(d), x = length > 0 ? std::clamp(-dot(a, d) / length, 0.0, 1.0) : 0.0;
     return square_of({a[0] + x * d[0], a[1] + x * d[1], a[2] + x * d[2]});
@@ -324,7 +357,9 @@ class EllipticCurve : public EllipticEquations<Law> {
       arrived = std::abs(h) <= (stalls ? kRounding : kNear) * std::sqrt(speed);
       if (arrived) break;
       const double part_now = std::clamp((at - low.at) / width, 0.0, 1.0);
-      double bend = speed + x[1] * (by_T ? (high.dA - low.dA) / width : spot->ddA) / to.sigma_A +
+      const double ddA = by_T ? (high.dA - low.dA) / width : spot->ddA,
+                   ddq = second(part_now, width, low.q, low.dq, high.q, high.dq) - to.slant * ddA / to.A;
+      double bend = speed + x[1] * ddA / to.sigma_A + x[2] * ddq / to.sigma_q +
                     x[0] * second(part_now, width, low.T, low.dT, high.T, high.dT) / to.sigma_T;
       if (k > 0 && at != last_at) bend = (h - last_h) / (at - last_at);
       if (!(bend > 0.1 * speed)) bend = speed;
@@ -341,7 +376,7 @@ class EllipticCurve : public EllipticEquations<Law> {
     }
     if (!arrived)
       if (const auto found = bracketed(first, last, to)) return {*found, false, square_of(offset(*found, to))};
-    const bool at_end = at == spots_.back().at && by_T == spots_.back().by_T && !by_T && at < 3.0;
+    const bool at_end = whole_ && at == spots_.back().at && by_T == spots_.back().by_T && !by_T && at < 3.0;
     if (!at_end || !pushes_on(*spot, to)) return {*spot, false, square_of(offset(*spot, to))};
     const Spot end = closed_end();
     return {end, true, square_of(offset(end, to))};
@@ -379,6 +414,10 @@ class EllipticCurve : public EllipticEquations<Law> {
     return dot(offset(end, to), along_at(end, to)) < 0;
   }
 
+  static constexpr double kStep = 0.12;
+
+  double T_most_, step_ = kStep;
+  bool whole_ = false;  // no more spots follow
   std::vector<Spot> spots_;
   std::vector<double> squares_;  // of the distances from the chords, with infinity at both ends
 };

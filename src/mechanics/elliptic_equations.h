@@ -22,6 +22,7 @@ class EllipticEquations {
   struct Mark {
     double phi, q, T, q_slope, T_slope;  // slopes: per phi
     double least;                        // the smaller Y over w
+    double y = 0, y_slope = 0;           // w - P; of a mark at phi
   };
   /// The left sides of the criterion minus the right ones, over 6 pi w, and their derivatives; S = T^2.
   struct Residuals {
@@ -48,9 +49,10 @@ class EllipticEquations {
   double far_shear() const { return 10 * S0_ / std::sqrt(std::max(small_[0], small_[1])); }
 
   Mark first_mark() const {
-    if (uncoupled()) return {0, 0, 0, 0, 0, 1};
-    const Residuals r = residuals(edge_load_at(0), 0, 0);
-    return {0, 0, 0, 0, std::sqrt(std::max(0.5 * S0_ * solved_at_w(r, r.w).second, 0.0)), r.least};
+    const double y = edge_load_at(0);
+    if (uncoupled()) return {0, 0, 0, 0, 0, 1, y};
+    const Residuals r = residuals(y, 0, 0);
+    return {0, 0, 0, 0, std::sqrt(std::max(0.5 * S0_ * solved_at_w(r, r.w).second, 0.0)), r.least, y};
   }
 
   double edge_load_at(double phi) const { return 3 * pi<double>() + S0_ * std::cos(phi); }  // of the circle: w - P
@@ -69,10 +71,12 @@ class EllipticEquations {
   Residuals residuals(double y, double q, double S) const {
     const EllipsePressure g = ellipse_pressure(q);
     const double w = y + P_, shape[2]{g.along, g.across}, slope[2]{g.along_slope, g.across_slope};
+    const double root = std::exp(0.5 * q), six_pi = 6 * pi<double>(), unit = 1 / (six_pi * w);
+    const double right[2]{six_pi / root, six_pi * root};  // over w
     Residuals r{};
     r.least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 2; ++k) {
-      const double sign = k == 0 ? -1 : 1, right = 6 * pi<double>() * std::exp(0.5 * sign * q);  // over w
+      const double sign = k == 0 ? -1 : 1;
       const double Y = y + w * (shape[k] - 1), T = std::sqrt(S * per_square_[k]);
       ShearTerm<double> tau2{0, 0, 0};
       double of_S = small_[k];
@@ -80,10 +84,10 @@ class EllipticEquations {
         tau2 = law_.shear_term(*p_[k], Y, T);
         of_S = (2 * tau2.value - Y * tau2.d1) / (2 * T * T);  // tau^2 is homogeneous of degree 2
       }
-      const double of_Y = 2 * Y + tau2.d1, unit = 1 / (6 * pi<double>() * w);
-      r.value[k] = (Y * Y + tau2.value - right * w) * unit;
-      r.w[k] = (of_Y * shape[k] - right) * unit;
-      r.q[k] = (of_Y * w * slope[k] - 0.5 * sign * right * w) * unit;
+      const double of_Y = 2 * Y + tau2.d1;
+      r.value[k] = (Y * Y + tau2.value - right[k] * w) * unit;
+      r.w[k] = (of_Y * shape[k] - right[k]) * unit;
+      r.q[k] = (of_Y * w * slope[k] - 0.5 * sign * right[k] * w) * unit;
       r.S[k] = of_S * per_square_[k] * unit;
       r.least = std::min(r.least, Y / w);
     }
@@ -102,7 +106,7 @@ class EllipticEquations {
   /// or where K_I < 0.
   std::optional<Mark> mark_at(double phi, double q, double T, double least) const {
     constexpr int kMost = 25;
-    constexpr double kNear = 1e-8;  // Newton's next step ends at rounding
+    constexpr double kNear = 1e-8, kThere = 1e-13;  // Newton's next step ends at rounding; so do the slopes
     constexpr double kClosed = 1e-3;
     const double y = edge_load_at(phi);
     double S = T * T;
@@ -119,10 +123,10 @@ class EllipticEquations {
       if (!std::isfinite(size)) return std::nullopt;
       q -= std::clamp(dq, -0.5, 0.5);
       S = std::max(S - dS, 0.25 * S);
-      if (near && size <= kNear) {
+      if ((near && size <= kNear) || (size <= kThere && r.least > kClosed)) {
         const auto [q_w, S_w] = solved_at_w(r, r.w);
         const double w_slope = -S0_ * std::sin(phi), root = std::sqrt(S);
-        return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root), r.least};
+        return Mark{phi, q, root, -q_w * w_slope, -S_w * w_slope / (2 * root), r.least, y, w_slope};
       }
       near = size <= kNear;
     }

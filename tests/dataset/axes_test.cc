@@ -34,6 +34,7 @@ TEST(Axes, AreReadInAnyForm) {
   expect_the_axes(read("P [mN],T [mN],Major [mm],Minor [mm]\n4,2,0.6,0.54\n"), "without an angle");
   expect_the_axes(read("P [mN],T [mN],Area [mm^2],Major,Minor,Angle\n4,2,0.254469004940773,0.6,0.54,90\n"),
                   "beside an area, without a unit");
+  expect_the_axes(read("P [mN],T [mN],a [mm],b [mm]\n4,2,0.27,0.3\n"), "as predict writes them");
   const Dataset along = read("P [mN],T [mN],Major [mm],Minor [mm],Angle\n4,2,0.6,0.54,180\n");
   EXPECT_NEAR(along.axes[0].q, std::log(0.6 / 0.54), 1e-12);
 }
@@ -47,6 +48,25 @@ TEST(Axes, HaveTheErrorsThatAreStated) {
   const Dataset of_cells = read("P [mN],T [mN],d_par [mm],d_perp [mm]\n4,2,0.54 +/- 0.0054,0.6 +/- 2%\n");
   EXPECT_NEAR(of_cells.axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12);
   EXPECT_TRUE(std::isnan(read("P [mN],T [mN],a_par [mm],a_perp [mm]\n4,2,0.27,0.3\n").axes[0].sigma_q));
+}
+
+/// The image is turned by 30 degrees: the axes lie at 30 and 120. Nearly round contacts have any direction.
+TEST(Axes, OfTurnedImagesAreNamed) {
+  const auto says = [](const std::string& rows) {
+    const Dataset data = read("P [mN],T [mN],Major [mm],Minor [mm],Angle\n" + rows);
+    for (const std::string& note : texts_of(data.notes))
+      if (note.find("degrees from the shear") != std::string::npos) return note;
+    return std::string();
+  };
+  EXPECT_NE(says("4,0,0.6,0.598,35\n4,2,0.6,0.56,120\n4,3,0.6,0.54,120\n").find("30 degrees"), std::string::npos);
+  EXPECT_EQ(says("4,0,0.6,0.598,35\n4,2,0.6,0.56,91\n4,3,0.6,0.54,88\n"), "");
+  EXPECT_EQ(says("4,0,0.6,0.598,20\n4,1,0.6,0.598,80\n4,2,0.6,0.598,40\n4,3,0.6,0.598,150\n"), "");
+}
+
+/// A table's `b` of another kind leaves `a` a radius.
+TEST(Axes, AreNotMadeOfARadiusAndANumber) {
+  EXPECT_TRUE(read("P [mN],T [mN],a [mm],b [N]\n4,2,0.27,0.3\n").axes.empty());
+  EXPECT_TRUE(read("P [mN],T [mN],a [mm],b\n4,2,0.27,0.3\n").axes.empty());
 }
 
 TEST(Axes, OfTablesWithoutAreNotThere) { EXPECT_TRUE(read("P [mN],T [mN],A [mm^2]\n4,2,0.27\n").axes.empty()); }

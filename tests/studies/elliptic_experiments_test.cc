@@ -88,6 +88,23 @@ TEST(EllipticExperiments, HasErrorsAsLargeAsTheDeviations) {
   EXPECT_GE(covered, 19);  // of 24 intervals of 95 %; fewer by chance in 1 of 1,000
 }
 
+/// White noise of five runs: the runs do not differ, neighbours do not correlate, and what five runs scatter by chance
+/// does not widen an interval (by more than half in a third of such experiments, where it may).
+TEST(EllipticExperiments, OfFiveRunsAreThoseOfWhiteNoise) {
+  Plan plan = plan_of("c-ellipse", {0.13, 0.066, 0.5});
+  plan.loads = {0.5e-3, 1e-3, 1.5e-3, 2.5e-3, 4e-3};
+  plan.points = 20;
+  plan.sigma_A = *parse_quantity("0.5%");
+  int widened = 0;
+  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 11, 15}) {
+    const FitResult fit = fit_and_test(simulate(plan, 1, i), "c-ellipse", {});
+    EXPECT_EQ(fit.status, FitStatus::ok) << i << fit.message.text();
+    EXPECT_FALSE(fit.errors->correlations.any()) << i;
+    widened += fit.parameters[0].interval->method == "jackknife";
+  }
+  EXPECT_LE(widened, 1);
+}
+
 TEST(EllipticExperiments, OfAreasAloneIsOfTheSameCurve) {
   Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 1, std::nullopt);
   data.axes.clear();

@@ -135,6 +135,21 @@ class Names {
     }
   }
 
+  /// "a" beside "b", as `predict --shape=ellipse` writes the semi-axes: no radius then.
+  void take_a_and_b_as_axes() {
+    const auto radius =
+        std::find_if(columns_.begin(), columns_.end(), [](const NamedColumn& one) { return one.id == ColumnId::a; });
+    if (radius == columns_.end() || is_mapped(ColumnId::a) || find(ColumnId::a_par) || find(ColumnId::a_perp)) return;
+    for (std::size_t i = 0; i < headings_.size(); ++i) {
+      const Heading& heading = headings_[i];
+      const bool alike = heading.unit.has_value() == radius->heading.unit.has_value();
+      if (heading.name != "b" || at(i) || !alike || !unit_fits(heading.unit, ColumnId::a_perp)) continue;
+      radius->id = ColumnId::a_par;
+      columns_.push_back({ColumnId::a_perp, i, heading});
+      return;
+    }
+  }
+
   /// "T (s)", as testers of friction write it: T is a time where its unit is one.
   void add_times_called_T() {
     for (std::size_t i = 0; i < headings_.size() && rules_.log; ++i)
@@ -362,6 +377,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
   Names names(path, headings, rules);
   names.add_mapped();
   names.add_own_names();
+  names.take_a_and_b_as_axes();
   names.add_times_called_T();
   if (rules.vocabulary) {
     names.add_by_vocabulary();

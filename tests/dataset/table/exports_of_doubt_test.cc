@@ -200,8 +200,9 @@ TEST(Exports, WithStretchedContactsSaySo) {
       folder.write("a.csv", "P [mN],T [mN],a_par [mm],a_perp [mm]\n4,0,0.3,0.3\n4,2,0.27,0.324\n"), kConstants);
   EXPECT_EQ(
       texts_of(data.notes).at(0),
-      "areas are those of ellipses, axes as 1.2 to 1 (eccentricity 0.553) at most, in line 3; the models are of a "
-      "circle, and around such an edge the energy release rate varies by about 20%");
+      "areas are those of ellipses, axes as 1.2 to 1 (eccentricity 0.553) at most, in line 3, the longer one "
+      "across the shear; the models are of a circle, and around such an edge the energy release rate varies by about "
+      "20%");
 }
 
 }  // namespace exports_of_doubt_test
