@@ -22,7 +22,7 @@ DEFINE_string(model, "", "model (mixity help lists them)");
 DEFINE_string(
     load, "",
     "normal load P, compression positive: a number, or a force such as \"3 mN\" if the contact has dimensions; for a "
-    "data file, the load of all points if no column states it; where neither is a data file's, the same as --loads");
+    "data file, the load of all points if no column states it; elsewhere the same as --loads");
 DEFINE_string(
     loads, "",
     "normal loads, such as \"7.7,3.8 mN\", or with decimal commas \"7,7; 3,8 mN\", or held approaches, \"3,8 um\"; "

@@ -110,6 +110,17 @@ std::string_view to_string(Provenance provenance) {
   return kProvenances[i < kProvenances.size() ? i : 0];
 }
 
+std::string_view meaning_of(Provenance provenance) {
+  switch (provenance) {
+    case Provenance::unstated: return "Nothing says where these data come from; state it in the TOML beside the file.";
+    case Provenance::digitised: return "Points were read from a figure: reading errors are part of the scatter.";
+    case Provenance::reconstructed:
+      return "Generated from a model, not measured. Recovering lambda from them tests the program, not the physics.";
+    case Provenance::measured: break;
+  }
+  return "";
+}
+
 std::string_view to_string(ModeIII convention) { return convention == ModeIII::averaged ? "averaged" : "half"; }
 
 std::string mode_III_text(const Metadata& metadata) {

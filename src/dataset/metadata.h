@@ -37,6 +37,8 @@ std::string_view to_string(NormalControl control);
 inline constexpr std::string_view kReconstructedNotice =
     "reconstructed data: generated from a model, not measured. Recovering lambda from them tests the "
     "program, not the physics.";
+/// What a reader should know about such data, for a line that has named the provenance; empty for measured data.
+std::string_view meaning_of(Provenance provenance);
 
 /// Names and texts in the order of the command line: {"radius", "9.42 mm"}.
 using Overrides = std::vector<std::pair<std::string, std::string>>;

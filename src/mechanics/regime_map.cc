@@ -40,7 +40,7 @@ bool overlap(const RegimeExtent& one, const RegimeExtent& other) { return one.fr
 }  // namespace
 
 const char* regime_text(Regime regime) {
-  constexpr const char* kTexts[]{"1 shrinks, never to Hertz", "2 shrinks to Hertz", "3 jumps", "4 slides first"};
+  constexpr const char* kTexts[]{"shrinks, never to Hertz", "shrinks to Hertz", "jumps", "slides first"};
   return kTexts[static_cast<std::size_t>(regime) - 1];
 }
 

@@ -12,7 +12,7 @@
 
 namespace mixity {
 
-/// Such as "3 jumps".
+/// Such as "shrinks to Hertz".
 const char* regime_text(Regime regime);
 
 /// The extent of a regime along one line of a map; null where the law defines no unique equilibrium.

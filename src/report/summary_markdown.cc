@@ -54,7 +54,7 @@ std::string data_set_text(const ReportEntry& entry) {
   const Dataset& data = result.data;
   std::string text =
       "## " + escaped(data.title()) + "\n\n**Provenance: " + std::string(to_string(data.metadata.provenance)) + ".**";
-  if (const auto notice = notice_on(data)) text += " " + std::string(*notice);
+  if (const auto meaning = meaning_of(data.metadata.provenance); !meaning.empty()) text += " " + std::string(meaning);
   text += "\n\n" + row_counts(data) + ".\n\n" + answer_text(entry.shown->answer, data);
   for (const std::string& sentence : findings(result)) text += marked(sentence) + "\n";
   if (!findings(result).empty()) text += "\n";

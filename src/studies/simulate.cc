@@ -138,10 +138,14 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
 
   std::vector<double> P, T, A, sigma_T, sigma_A, along, across, sigma_along, sigma_across;
   std::vector<std::string> runs;
+  DistinctNames names;
   const double mm2 = kMilli * kMilli;
   for (std::size_t k = 0; k < plan.loads.size(); ++k) {
     // The apparatus is controlled by its readings.
     const double load = plan.loads[k] / held_unit(plan), longest = plan.reach * longest_shear(model, plan, load);
+    const std::string run = names.free_name(held ? "delta=" + rounded(plan.loads[k] / kMicro, 4) + " um"
+                                                 : "P=" + rounded(plan.loads[k] / kMilli, 4) + " mN");
+    names.take(run);
     const std::size_t last_run = plan.loads.size() - 1;
     const double order = last_run > 0 ? static_cast<double>(k) / static_cast<double>(last_run) - 0.5 : 0;
     const auto scale_at = [&](std::size_t i) {
@@ -187,9 +191,7 @@ Dataset simulate(const Plan& plan, std::uint64_t seed, std::optional<std::uint64
         sigma_along.push_back(along.back() * share);
         sigma_across.push_back(across.back() * share);
       }
-      runs.push_back((held ? "delta=" + rounded(plan.loads[k] / kMicro, 4) + " um"
-                           : "P=" + rounded(plan.loads[k] / kMilli, 4) + " mN") +
-                     (k > 0 ? ", run " + std::to_string(k + 1) : ""));
+      runs.push_back(run);
     }
   }
   Metadata metadata = stated;

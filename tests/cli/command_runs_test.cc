@@ -237,10 +237,11 @@ TEST(RunsCommand, GivesTheNumbersOfTheReadme) {
   const std::string out = folder.path("log");
   std::string printed = run_program({"runs", kLog, "--out", out}).out;
   printed += run_program({"fit", out + "/fit.toml", "--models=c"}).out;
+  printed += run_program({"fit", out + "/fit.toml", "--models=c", "--modulus=2.133 MPa +/- 5%"}).out;
   printed += run_program({"instability", out + "/fit.toml"}).out;
   const std::string section = section_of("README.md", "## From a log to a number");
-  EXPECT_EQ(count_of_shown_lines(section, printed), 8);
-  for (const char* const said : {"simulated with lambda = 0.004", "no better than 0.0005", "T = 103.51 mN"})
+  EXPECT_EQ(count_of_shown_lines(section, printed), 10);
+  for (const char* const said : {"simulated with lambda = 0.004", "shift lambda by 0.0005", "to 0.12 %", "T = 103.51 mN"})
     EXPECT_NE(section.find(said), std::string::npos) << said;
 }
 

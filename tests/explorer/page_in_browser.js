@@ -51,12 +51,14 @@ const drawnAt = (page, points) => page.evaluate(all => {
   return all.map(([x, y]) => regions.filter(({outline}) => inside(outline, x, y)).map(({regime}) => regime));
 }, points);
 
+const regimes = {'': 'no unique equilibrium', 1: 'shrinks, never to Hertz', 2: 'shrinks to Hertz', 3: 'jumps'};
+
 /// The map on the page against `mixity map` with these words.
 async function sameMap(page, words, what) {
   await page.waitForFunction(() => { const {map} = window.explorer.models; return map.known.has(map.wanted().text); });
   const rows = run(['map', '--grid=13', ...words]).trim().split('\n').slice(1).map(row => row.split(','));
   const drawn = await drawnAt(page, rows.map(row => [Number(row[0]), Number(row[1])]));
-  const wrong = rows.filter((row, i) => drawn[i].length !== 1 || (row[2] || 'n') !== drawn[i][0][0]).map((row, i) => `${row.slice(0, 3)}`);
+  const wrong = rows.filter((row, i) => drawn[i].length !== 1 || regimes[row[2]] !== drawn[i][0]).map((row, i) => `${row.slice(0, 3)}`);
   expect(wrong.length === 0, `${what}: the map is not the program's at ${wrong.join('; ')}`);
   return rows.map(row => row[2]);
 }

@@ -56,6 +56,16 @@ def test_quantities_keep_their_units(arrays, mergel, truth):
         mixity.Dataset(P=P, T=T, A=A, units={"P": "N"}, **sphere)
 
 
+def test_errors_of_uncertain_quantities_are_kept_or_refused(mergel):
+    u = pytest.importorskip("quantities")
+    P, T, A, sphere = arrays_of_quantities(mergel.P, mergel.T, mergel.A)
+    uncertain = mixity.Dataset(P=P, T=T, A=A, **{**sphere, "radius": u.UncertainQuantity(9.42, u.mm, 0.1)})
+    stated = mixity.Dataset(P=P, T=T, A=A, **{**sphere, "radius": "9.42 mm +/- 0.1 mm"})
+    assert fitted(uncertain) == pytest.approx(fitted(stated), rel=1e-9) != fitted(mixity.Dataset(P=P, T=T, A=A, **sphere))
+    with pytest.raises(mixity.InputError, match="'A' has standard errors"):
+        mixity.Dataset(P=P, T=T, A=u.UncertainQuantity(mergel.A, u.mm**2, 0.01 * mergel.A), **sphere)
+
+
 def pint_pandas(P, T, A):
     pandas = pytest.importorskip("pandas")
     pytest.importorskip("pint_pandas")
@@ -90,6 +100,12 @@ def xarray(P, T, A):
     return pytest.importorskip("xarray").Dataset(
         {"P": ("i", P, {"units": "mN"}), "T": ("i", T, {"units": "mN"}), "A": ("i", A, {"units": "mm^2"})}
     )
+
+
+def test_arrays_of_pint_pandas_are_columns(mergel, truth):
+    frame = pint_pandas(mergel.P, mergel.T, mergel.A)
+    columns = {name: frame[name].array for name in frame}
+    assert fitted(mixity.Dataset(**columns, **SPHERE)) == pytest.approx(truth, rel=1e-9)
 
 
 @pytest.mark.parametrize("made", [pint_pandas, polars, pyarrow, structured, astropy_table, astropy_qtable, xarray])

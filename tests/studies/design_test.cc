@@ -43,6 +43,12 @@ TEST(Simulate, AnExperimentIsAFunctionOfSeedAndIndex) {
   }
 }
 
+TEST(Simulate, RunsAreCalledByTheirLoadsAndNumberedOnlyWhereALoadIsRepeated) {
+  Plan plan = plan_of("c", 0.01);
+  plan.loads = {1e-3, 4e-3, 1e-3};
+  EXPECT_EQ(simulate(plan, 1, 0).curves, (std::vector<std::string>{"P=1 mN", "P=4 mN", "P=1 mN (2)"}));
+}
+
 TEST(Simulate, WithoutChanceItIsTheModelWithTheStatedConstants) {
   const Plan plan = plan_of("b", 0.3);
   const Dataset data = simulate(plan, 1, std::nullopt);

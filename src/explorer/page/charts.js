@@ -126,7 +126,8 @@ export function handle(entry, id, x, moved, says = '', tint = token('--alert')) 
   line.says = says;
   line.getTextContent().attr({style: {text: says, fill: tint, font: `12px ${fonts()}`, backgroundColor: token('--paper'),
     padding: [1, 3], align: right ? 'right' : 'left', verticalAlign: 'top'}});
-  line.setTextConfig({position: [right ? -6 : 6, 2], local: true});
+  // each text in a row of its own: on a phone two do not stand beside each other
+  line.setTextConfig({position: [right ? -6 : 6, 2 + 17 * [...handles.keys()].indexOf(id)], local: true});
   line.dropped = () => {
     if (Math.abs(line.x - place) < 3) entry.resized?.();
     else moved(chart.convertFromPixel({xAxisIndex: 0}, line.x));

@@ -76,7 +76,7 @@ export function sentence(models, one) {
   const beyond = jump ? `beyond its jump, A = ${shown(jump.area_after)} mm² if it slides at that` : 'beyond its last equilibrium';
   const now = one.state ? `A = ${shown(one.state.A)} mm²` : beyond;
   return `${named} (${models.chosen(one.model)}): ${now} at T = ${shown(models.state.T)} mN; ` +
-    (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime.slice(2)}.`) + heldText(one.held);
+    (jump ? `jumps at T = ${shown(jump.T)} mN from ${shown(jump.A)} to ${shown(jump.area_after)} mm².` : `${one.regime}.`) + heldText(one.held);
 }
 
 /// What the contact does where its approach is held in place of the load.

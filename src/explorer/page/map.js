@@ -2,7 +2,7 @@
 import {areas, axis, color, marks, shown} from './charts.js';
 import {byDecades, quantities} from './state.js';
 
-const tintOfRegime = {1: 6, 2: 3, 3: 1, n: 7};  // by the first letter of its text
+const tintOfRegime = {'shrinks, never to Hertz': 6, 'shrinks to Hertz': 3, jumps: 1};
 const mostKept = 40;                            // maps
 
 export class RegimeMap {
@@ -86,11 +86,11 @@ export class RegimeMap {
     const where = others && `, with ${others}`;
     if (!known) return this.problem?.text === text ? `${where}: ${this.problem.sentence}.` : `${where} …`;
     if (!only) return `${where}.`;
-    return `${where}: ${only.startsWith('n') ? `${only}, whatever the load and ${name}` : `one regime everywhere, ${only.slice(2)}`}.`;
+    return `${where}: ${only.startsWith('n') ? `${only}, whatever the load and ${name}` : `one regime everywhere, ${only}`}.`;
   }
 
   drawRegions({model, name, value, unit, low, high, logarithmic, P_low, P_most}, regions, regimes, opacity) {
-    const {state} = this.models, title = this.models.title(model), tint = regime => color(tintOfRegime[regime[0]]);
+    const {state} = this.models, title = this.models.title(model), tint = regime => color(tintOfRegime[regime] ?? 7);
     const outlines = areas(regions.map(({regime, outline}) => ({name: regime, outline: outline.map(([P, at]) => [P * unit, at]), color: tint(regime), opacity})));
     const here = marks('here', `${title} here`, state.off.has(model) ? [] : [[state.P, value]], color(0), 'circle', {itemStyle: {color: color(0)}});
     this.figure.draw([...outlines, here], `Regimes of ${title} by load and ${name}: ${regimes.join(', ')}`, {

@@ -26,7 +26,7 @@ def _of_attributes(value):
 
 def _within(value):
     """The quantity that a column or an xarray array holds; anything else unchanged."""
-    values = getattr(value, "array", None)  # of a pandas Series
+    values = getattr(value, "array", value)  # of a pandas Series
     if hasattr(values, "quantity"):  # pint-pandas
         return values.quantity
     if hasattr(value, "quantity") and getattr(value, "unit", None) is not None:  # a column of an astropy table
@@ -66,6 +66,13 @@ def in_si(name, value):
         return quantity.to_value(power)
     except Exception as error:  # raised by libraries that this package does not import
         raise _core.InputError(f"'{name}' must be in {unit or 'no unit'}: {error}") from None
+
+
+def standard_error(name, value):
+    """The error of an UncertainQuantity of quantities or a Distribution of astropy, in the SI unit of ``name``; None for any
+    other value."""
+    error = value.pdf_std() if hasattr(value, "pdf_std") else getattr(value, "uncertainty", None)
+    return in_si(name, error) if error is not None and is_quantity(error) else None
 
 
 def refuse_units(name, value):

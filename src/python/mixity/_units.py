@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import _core
-from ._quantities import carries_units, in_si, is_quantity, refuse_units, si_names, si_unit
+from ._quantities import carries_units, in_si, is_quantity, refuse_units, si_names, si_unit, standard_error
 
 
 def _numbers(name, value):
@@ -25,6 +25,8 @@ def _numbers(name, value):
 def plain_array(name, value):
     """Doubles of any shape: what carries units in SI, masked and missing values as NaN; not copied if there is nothing to convert."""
     if carries_units(value):
+        if standard_error(name, value) is not None:
+            raise _core.InputError(f"'{name}' has standard errors: give its values alone, and the errors as a column, as sigma_T or sigma_A")
         value = in_si(name, value)
     else:
         refuse_units(name, value)
@@ -36,12 +38,17 @@ def plain_array(name, value):
 
 def si_number(name, value):
     """A number in SI or a quantity, as a float in SI."""
+    if standard_error(name, value) is not None:
+        raise TypeError("a number without an error is needed")
     return float(in_si(name, value) if is_quantity(value) else value)
 
 
 def _with_error(name, value):
-    """(value, standard error) of a number from uncertainties or pint's plus_minus; (value,) of any other."""
+    """(value, standard error) of a number from uncertainties, quantities or pint's plus_minus; (value,) of any other."""
     plain = in_si(name, value) if is_quantity(value) else value
+    error = standard_error(name, value)
+    if error is not None:
+        return plain, error
     return (plain.nominal_value, plain.std_dev) if hasattr(plain, "nominal_value") else (plain,)
 
 

@@ -60,7 +60,7 @@ std::vector<Figure> regime_figures(const ReportedData& reported, std::vector<Mis
     if (!curves.map) continue;
     if (const auto& regions = curves.map->regions; regions.size() == 1 && regions.front().regime)
       left_out.push_back({"regime map of model " + curves.fit->model,
-                          "one regime everywhere: " + std::string(regime_text(*regions.front().regime)).substr(2)});
+                          "one regime everywhere: " + std::string(regime_text(*regions.front().regime))});
     else
       figures.push_back(regime_figure(reported, curves));
   }

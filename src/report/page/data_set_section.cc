@@ -17,14 +17,10 @@ namespace {
 
 std::string provenance_banner(const Metadata& metadata) {
   const Provenance provenance = metadata.provenance;
-  const std::string_view note = provenance == Provenance::reconstructed ? kReconstructedNotice
-                                : provenance == Provenance::unstated
-                                    ? "Nothing says where these data come from; state it in the TOML beside the file."
-                                : provenance == Provenance::digitised
-                                    ? "Digitised from a figure: reading errors are part of the scatter."
-                                    : "";
+  const std::string meaning(meaning_of(provenance));
   return element("p",
-                 text_element("strong", "Provenance: " + std::string(to_string(provenance)) + ". ") + std::string(note),
+                 text_element("strong", "Provenance: " + std::string(to_string(provenance)) + ".") +
+                     (meaning.empty() ? "" : " " + meaning),
                  {{"class", provenance == Provenance::measured ? "soft" : "banner"}});
 }
 
@@ -150,7 +146,7 @@ bool of_another_model(const Figure& figure, const ReportEntry& entry) {
 }
 
 /// A data set that a reader opens; the line to click shows its name and result.
-std::string closed_set(const ReportEntry& entry, const std::string& content, bool open) {
+std::string closed_set(const ReportEntry& entry, const std::string& content) {
   const Answer& answer = entry.shown->answer;
   std::string line = text_element("h2", entry.shown->result.data.title());
   if (answer.fit)
@@ -160,10 +156,8 @@ std::string closed_set(const ReportEntry& entry, const std::string& content, boo
     line += " " + text_element("span", answer.fit ? std::string(to_string(answer.fit->status)) : "no fit has a value",
                                "alert");
   // a link with the name as its anchor opens the set, because the anchor is inside
-  Attributes attributes{{"class", "set"}};
-  if (open) attributes.emplace_back("open", "open");
   return element("details", element("summary", line) + element("div", content, {{"id", entry.shown->stem}}),
-                 attributes);
+                 {{"class", "set"}});
 }
 
 }  // namespace
@@ -191,7 +185,9 @@ std::string data_set_section(const ReportContent& content, const ReportEntry& en
   std::vector<std::string> reasons;
   for (const MissingFigure& figure : entry.figures.left_out) reasons.push_back(figure.what + ": " + figure.why);
   if (!reasons.empty()) text += folded_section("Figures left out", list_of(reasons));
-  if (!content.figures_inside) return element("section", closed_set(entry, text, content.entries.size() == 1));
+  // the page's own heading names the set if it is the only one
+  if (content.entries.size() == 1) return element("section", text, {{"id", entry.shown->stem}});
+  if (!content.figures_inside) return element("section", closed_set(entry, text));
   return element("section", element("h2", xml_escaped(result.data.title()), {{"id", entry.shown->stem}}) + text);
 }
 

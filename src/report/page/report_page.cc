@@ -27,15 +27,16 @@ std::string report_page(const ReportContent& content) {
     links += link_to("#" + entry.shown->stem, names.back());
     sections += data_set_section(content, entry);
   }
-  const bool inside = content.figures_inside;
-  const std::string title = inside || names.size() == 1 ? joined(names) : counted(names.size(), "data set");
+  const bool inside = content.figures_inside, alone = names.size() == 1;
+  const std::string title = alone ? names.front() : counted(names.size(), "data set");
   std::string header =
       text_element("h1", title) + text_element("p", "Mode-mixity fits by mixity " MIXITY_VERSION, "soft");
-  if (inside && names.size() > 1) header += element("nav", links);
+  if (inside && !alone) header += element("nav", links);
   if (!inside)
     header += text_element("p",
-                           "The figures lie in the folder figures beside this page and are shown where a data set is "
-                           "opened: keep both together. All else is in the page.");
+                           "The figures lie in the folder figures beside this page" +
+                               std::string(alone ? "" : " and are shown where a data set is opened") +
+                               ": keep both together. All else is in the page.");
   if (!content.settings.explorer.empty())
     header += element("p",
                       link_to("explorer.html", "Explore these data in the browser") +

@@ -113,6 +113,9 @@ summary { cursor: pointer; }
   .answer { grid-template-columns: 1fr 1fr; gap: 4mm; margin: 2mm 0; break-inside: avoid; }
   .answer svg { max-height: 85mm; }
   .result { font-size: 14pt; }
+  .bar span, .key span::before { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  .key { font-size: 7.5pt; }
+  dl { grid-template-columns: repeat(4, max-content 1fr); }
   .figures { grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 2.5mm; }
   figure { padding: 1.5mm; border-radius: 0; }
   figure.wide { grid-column: auto; }
