@@ -70,6 +70,20 @@ TEST(EllipticExperiments, FindsBothCouplingsFromAxesWithoutNoise) {
   }
 }
 
+/// A tie that the axes contradict is named, not the errors or a constant.
+TEST(EllipticExperiments, NameBothCouplingsWhereTheTieIsWrong) {
+  const Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 3, 0);
+  FitOptions held;
+  held.hold = {{"lambda_III", 0.0}};
+  for (const FitResult& fit : {fit_model(data, "c-ellipse-equal"), fit_model(data, "c-ellipse", held)}) {
+    EXPECT_EQ(fit.status, FitStatus::suspect);
+    EXPECT_TRUE(fit.message.text().starts_with("the couplings differ: without the tie lambda_II = 0.0"))
+        << fit.message.text();
+  }
+  held.hold = {{"lambda_III", 0.005}};
+  EXPECT_EQ(fit_model(data, "c-ellipse", held).status, FitStatus::ok);
+}
+
 /// chi^2 of 2 x 12 deviations from the truth in standard errors: beyond 60 by chance in 1 of 15,000.
 TEST(EllipticExperiments, HasErrorsAsLargeAsTheDeviations) {
   const std::vector<double> p{0.02, 0.005, 0.5};
