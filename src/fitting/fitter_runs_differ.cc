@@ -71,9 +71,12 @@ std::vector<std::vector<double>> Fitter::take_runs_apart(const std::vector<doubl
   const Eigen::VectorXd spread = free_spreads(*rows, groups);
   const auto probable = most_probable(grouped_rows(rows->J, rows->r, rows->Zw, groups), spread);
   if (!probable) return {};
-  // The parameters move, too: what one run's own values leave, others may take.
-  const Eigen::VectorXd moved = rows->bare * probable->step;
-  for (std::size_t i = 0; i < points; ++i) nearest.residuals[i] += moved[static_cast<Eigen::Index>(i)];
+  // The rows of axes move the parameters, too. Elsewhere x is a minimum of the points, and a step about a model that
+  // does not describe them would lead far off.
+  if (!nearest.axes.empty()) {
+    const Eigen::VectorXd moved = rows->bare * probable->step;
+    for (std::size_t i = 0; i < points; ++i) nearest.residuals[i] += moved[static_cast<Eigen::Index>(i)];
+  }
   std::vector<std::vector<double>> own;
   for (Eigen::Index q = 0; q < spread.size(); ++q) {
     own.emplace_back(rows->Z.col(q).begin(), rows->Z.col(q).begin() + static_cast<std::ptrdiff_t>(points));

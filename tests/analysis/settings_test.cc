@@ -22,7 +22,7 @@ const std::map<std::string_view, std::string_view> kTexts{
     {"bootstrap", "20"},        {"resample", "curves"},         {"seed", "7"},        {"threads", "2"},
     {"influence", "true"},      {"compare", "false"},           {"per", "curve"},     {"formats", "pdf,png"},
     {"fitted_errors", "false"}, {"by_run", "toughness,lambda"}, {"drift", "modulus"}, {"unsheared", "own"},
-    {"tie", "lambda_III=0"}};
+    {"tie", "lambda_III=0"},    {"sigma_factor", "free"}};
 
 FitRequest with_all() {
   FitRequest request;
