@@ -47,7 +47,7 @@ class HeldBranches {
 
   /// The u of the first stretch in which the driving quantity has this value, from stretch number `first` on.
   std::optional<double> first_at(double value, std::size_t first = 0) const {
-    constexpr double kFar = 1000;
+    constexpr double kMost = 1000;
     for (std::size_t k = first; k < stretches_.size(); ++k) {
       const HeldStretch& one = stretches_[k];
       if (!(value >= one.from && value <= one.to)) continue;
@@ -56,7 +56,7 @@ class HeldBranches {
       return root_between(
           [&](double u) {
             const double there = u < one.end ? driving(curve_.at(u)) : one.to;
-            return std::isnan(there) ? kFar : std::clamp(std::log(there / value), -kFar, kFar);
+            return std::isnan(there) ? kMost : std::clamp(std::log(there / value), -kMost, kMost);
           },
           one.begin, one.end);
     }

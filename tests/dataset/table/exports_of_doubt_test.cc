@@ -1,4 +1,6 @@
 // Exports that need a word of the reader, or that are refused, say what they were taken for.
+#include <numbers>
+
 #include "dataset/table/exports.h"
 
 namespace mixity {
@@ -142,9 +144,8 @@ TEST(Exports, ThatCanBeReadInTwoWaysAreRefusedWithBoth) {
   EXPECT_EQ(error("P,T,A\nkg,mN,mm^2\n1,2,3\n2,2,3\n"),
             "a.csv:2:1: the row of units has 'kg' for column 'P', which is a mass; if a weight is meant: "
             "--columns=\"P=P (kgf)\"");
-  EXPECT_EQ(
-      error("PK\x03\x04..."),
-      "a.csv: is a workbook or an archive that is damaged or incomplete; save or copy it again");
+  EXPECT_EQ(error("PK\x03\x04..."),
+            "a.csv: is a workbook or an archive that is damaged or incomplete; save or copy it again");
 }
 
 TEST(Exports, WithAMappingThatCannotBeAreRefused) {

@@ -1,6 +1,7 @@
 // Ordinary exports of one experiment, in the forms that laboratories have them, are the same points.
 #include "dataset/table/exports.h"
 
+#include <numbers>
 #include <regex>
 
 namespace mixity {
