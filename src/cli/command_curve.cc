@@ -27,7 +27,8 @@ void print_at_load(const ContactModel& model, const ParameterValues& p, const Ou
     sampling.points = point_count();
   const std::vector<CurvePoint> points = model.curve(p, load.dimensionless, sampling).points;
   for (const CurvePoint& q : points)
-    if (!(q.T < kFar)) throw UsageError("the curve reaches tangential loads above 1e150, which cannot be computed");
+    if (!(q.T < kInfiniteT))
+      throw UsageError("the curve reaches tangential loads above 1e150, which cannot be computed");
 
   std::cout << units.headings("phi,P,T,y,a,A,u,psi,f,stable") << '\n';
   for (const CurvePoint& q : points) {

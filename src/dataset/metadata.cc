@@ -112,11 +112,14 @@ std::string_view to_string(Provenance provenance) {
 
 std::string_view meaning_of(Provenance provenance) {
   switch (provenance) {
-    case Provenance::unstated: return "Nothing says where these data come from; state it in the TOML beside the file.";
-    case Provenance::digitised: return "Points were read from a figure: reading errors are part of the scatter.";
+    case Provenance::unstated:
+      return "Nothing says where these data come from; state it in the TOML beside the file.";
+    case Provenance::digitised:
+      return "Points were read from a figure: reading errors are part of the scatter.";
     case Provenance::reconstructed:
       return "Generated from a model, not measured. Recovering lambda from them tests the program, not the physics.";
-    case Provenance::measured: break;
+    case Provenance::measured:
+      break;
   }
   return "";
 }

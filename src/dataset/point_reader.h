@@ -42,7 +42,7 @@ struct ReadPoint {
   ToughnessPoint converted;
   PointErrors errors;
   PointEnergies energies;
-  PointAxes axes, load;  // load: measured beside a held approach
+  PointAxes axes, load;            // load: measured beside a held approach
   std::complex<double> direction;  // of the axes: ln(longer/shorter)^2 e^(4i angle)
   PullOffReading pull_off;
   bool states_errors = false;   // the fields of its values contain standard errors

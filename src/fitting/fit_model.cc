@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "base/number_text.h"
-#include "base/text.h"
+#include "base/phrases.h"
 #include "fitting/assumed_ratio.h"
 #include "fitting/consistency.h"
 #include "fitting/explanations.h"

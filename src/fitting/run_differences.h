@@ -38,9 +38,9 @@ class PointsByRun {
 
 /// The residuals of a fit linearised in its parameters and in quantities that may differ between runs.
 struct RunRows {
-  Eigen::MatrixXd J;      // rows of the data, then of the priors
-  Eigen::VectorXd r;      // in the same order
-  Eigen::MatrixXd Z, Zw;  // [data x quantities]: as the residuals are; decorrelated like J
+  Eigen::MatrixXd J;       // rows of the data, then of the priors
+  Eigen::VectorXd r;       // in the same order
+  Eigen::MatrixXd Z, Zw;   // [data x quantities]: as the residuals are; decorrelated like J
   Eigen::MatrixXd bare{};  // J of the data as the residuals are
 };
 /// `x`: the solver's parameters in a fit with objective curve; `residuals`: its residuals minus the expected ones;

@@ -69,8 +69,8 @@ struct StandardErrors {
   NeighbourCorrelations correlations{};            // of neighbours' noise in A (first) and T (second), along each run
   RunDifferences runs{};                           // as far as requested
   double step_T = 0, step_A = 0;                   // resolution with which T and A were read; 0: none found
-  bool factor_is_free = false;  // of stated errors only the ratios are known
-  double factor = 1;            // on stated errors; found if it is free
+  bool factor_is_free = false;                     // of stated errors only the ratios are known
+  double factor = 1;                               // on stated errors; found if it is free
   double axes_factor = 1;  // of ln(a/b), where none is stated: this times the relative error of A
   double pull_off = 0;     // of loads of pull-off, where none is stated
   double freedom = 0;      // degrees of freedom of the estimate from the fit; 0: no estimate

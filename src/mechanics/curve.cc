@@ -39,16 +39,16 @@ double search_tangential_load(const Law& law, const Parameters<Law>& p, double y
     const ShearTerm<double> term = law.shear_term(p, y, T);
     const double root = std::sqrt(term.value), step = (tau - root) * T * root / (term.value - 0.5 * y * term.d1);
     T += step;
-    if (!(T > 0 && T < kFar)) break;
+    if (!(T > 0 && T < kInfiniteT)) break;
     if (std::abs(step) <= 4e-16 * T || (std::abs(step) <= 1e-13 * T && std::abs(step) >= 0.5 * before)) return T;
     before = std::abs(step);
   }
   // If Newton's method does not end, a bracketing search of ln T.
   const double target = std::log(tau);
   const auto error = [&](double x) {
-    return std::max(0.5 * std::log(law.shear_term(p, y, std::exp(x)).value) - target, -kFar);
+    return std::max(0.5 * std::log(law.shear_term(p, y, std::exp(x)).value) - target, -kInfiniteT);
   };
-  const double low = std::log(std::numeric_limits<double>::denorm_min()), high = 345;  // e^345 = kFar
+  const double low = std::log(std::numeric_limits<double>::denorm_min()), high = 345;  // e^345 = kInfiniteT
   if (error(low) > 0) return 0;  // bk with a small eta: T lies below all doubles
   if (!(error(high) >= 0)) return std::numeric_limits<double>::infinity();
   T = std::exp(root_between(error, low, high, 40));
@@ -111,7 +111,7 @@ CurvePiece non_monotone_piece(const NonMonotoneCurve<Law>& curve, double P) {
 template <class Law>
 CurvePoint EquilibriumCurve<Law>::non_monotone_point(double s) const {
   const auto place = by_angle_->at(s, by_angle_->length() - s);
-  const double y = place.y, T = std::min(place.t * y, kFar), a = radius_from_edge_load(y, P_), sum = y + P_;
+  const double y = place.y, T = std::min(place.t * y, kInfiniteT), a = radius_from_edge_load(y, P_), sum = y + P_;
   CurvePoint q{};
   q.phi = s;
   q.y = y;
@@ -148,8 +148,8 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
   // y from the nearer end of the circle: y_jkr - y = 2 S0 sin^2(phi/2), y - y_low = 2 S0 cos^2(phi/2)
   const double y = std::max(phi < 2 ? y_jkr_ - 2 * S0_ * half * half : y_low_ + 2 * S0_ * other * other, 0.0);
   const double tau = 2 * S0_ * half * other;
-  // kFar replaces an infinite T, where phi cannot resolve the distance from the asymptote.
-  const double T = uncoupled() ? 0 : std::min(mixity::tangential_load(law_, p_, y, tau), kFar);
+  // kInfiniteT replaces an infinite T, where phi cannot resolve the distance from the asymptote.
+  const double T = uncoupled() ? 0 : std::min(mixity::tangential_load(law_, p_, y, tau), kInfiniteT);
   const double a = radius_from_edge_load(y, P_), sum = y + P_, square = y * y + T * T;
 
   CurvePoint q{};
@@ -177,7 +177,7 @@ CurvePoint EquilibriumCurve<Law>::point(double phi) const {
     // y tau^2_y, so T'/T = tau (2 (y - 3 pi) + tau^2_y)/(2 tau^2 - y tau^2_y).
     const ShearTerm<double> term = law_.shear_term(p_, y, T);
     const double rate = tau * (2 * offset + term.d1) / (2 * term.value - y * term.d1);
-    const double growth = std::isfinite(rate) ? rate : std::copysign(kFar, offset + 0.5 * term.d1);
+    const double growth = std::isfinite(rate) ? rate : std::copysign(kInfiniteT, offset + 0.5 * term.d1);
     q.dT = std::clamp(T * growth, -kLargest, kLargest);
     q.du = std::clamp(0.75 * T * (growth - q.da / a) / a, -kLargest, kLargest);
     q.dpsi = T / square * (y * growth - q.dy);

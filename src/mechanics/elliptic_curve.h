@@ -140,8 +140,8 @@ class EllipticCurve : public EllipticEquations<Law> {
     Nearest best{spots_[0], false, square_of(at)};
     for (std::size_t i = 1; i <= chords; ++i) {
       const Vector next = offset(spots_[i], to);
-      squares_[i] = spots_[i - 1].by_T == spots_[i].by_T ? chord_square(at, next)
-                                                         : std::numeric_limits<double>::infinity();
+      squares_[i] =
+          spots_[i - 1].by_T == spots_[i].by_T ? chord_square(at, next) : std::numeric_limits<double>::infinity();
       if (squares_[i] < squares_[first]) first = i;
       at = next;
     }

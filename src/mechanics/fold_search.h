@@ -36,17 +36,17 @@ struct Driven {
   }
   double rest() const { return control.kind == Control::Kind::stiffness ? 1 / (1 + control.stiffness) : 1 - share(); }
 
-  /// w u + (1 - w) T, with T limited to kFar.
+  /// w u + (1 - w) T, with T limited to kInfiniteT.
   double value(const CurvePosition& at) const {
-    const double T = std::min(curve.tangential_load(at), kFar);
-    return share() * std::min(0.75 * T / radius(at), kFar) + rest() * T;
+    const double T = std::min(curve.tangential_load(at), kInfiniteT);
+    return share() * std::min(0.75 * T / radius(at), kInfiniteT) + rest() * T;
   }
 
   /// Positive where the value grows as y falls (stable), 0 at a fold. Scaled by the size of its terms, so that a few
   /// eps are rounding.
   double slope(const CurvePosition& at) const {
     // Just before an asymptote the computed T is infinite; tau^2 is then that of any large T.
-    const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kFar);
+    const double tau2 = curve.tau_squared(at), T = std::min(curve.tangential_load(at), kInfiniteT);
     const double d1 = curve.law().shear_term(curve.parameters(), at.y, T).d1;
     const double twice = 2 * curve.offset(at), R_y = twice + d1, size = std::abs(twice) + std::abs(d1);
     const double load = (3 * share() + 4 * radius(at) * rest()) * (at.y + curve.load());
@@ -62,7 +62,7 @@ struct FoundFolds {
 
   /// Returns whether the search should go on.
   bool add(const FoldPlace& place) {
-    if (place.T < 0.1 * kFar) places.push_back(place);
+    if (place.T < 0.1 * kInfiniteT) places.push_back(place);
     return places.size() < at_most;
   }
 };

@@ -15,7 +15,7 @@ std::optional<LoadFold> newton_fold(const Law& law, const Parameters<Law>& p, do
   const double S0 = circle_radius(P), y_least = 1e-3 * std::abs(P);
   for (int i = 0; i < 30; ++i) {
     const double y = 3 * pi<double>() + v;
-    if (!(y > y_least && T > 0 && T < kFar)) return std::nullopt;
+    if (!(y > y_least && T > 0 && T < kInfiniteT)) return std::nullopt;
     const ShearTerm<double> tau2 = law.shear_term(p, y, T);
     const double R = (v - S0) * (v + S0) + tau2.value, R_y = 2 * v + tau2.d1, R_yy = 2 + tau2.d2;
     const double R_T = (2 * tau2.value - y * tau2.d1) / T, R_yT = (tau2.d1 - y * tau2.d2) / T;

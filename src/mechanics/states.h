@@ -18,7 +18,7 @@ namespace mixity {
 inline constexpr double kLargestLoad = 1e150;
 
 /// Stands for T = infinity.
-inline constexpr double kFar = 1e150;
+inline constexpr double kInfiniteT = 1e150;
 
 // ---- Equilibrium at given loads ----
 

@@ -241,7 +241,8 @@ TEST(RunsCommand, GivesTheNumbersOfTheReadme) {
   printed += run_program({"instability", out + "/fit.toml"}).out;
   const std::string section = section_of("README.md", "## From a log to a number");
   EXPECT_EQ(count_of_shown_lines(section, printed), 10);
-  for (const char* const said : {"simulated with lambda = 0.004", "shift lambda by 0.0005", "to 0.12 %", "T = 103.51 mN"})
+  for (const char* const said :
+       {"simulated with lambda = 0.004", "shift lambda by 0.0005", "to 0.12 %", "T = 103.51 mN"})
     EXPECT_NE(section.find(said), std::string::npos) << said;
 }
 

@@ -271,8 +271,7 @@ TEST(Dataset, WhatIsNoTextInTheNameOfAFileIsAQuestionMark) {
 }
 
 TEST(Dataset, APartHasWhatBelongsToItsPoints) {
-  const Dataset data = load_text(
-      "curve,P,T,A,sigma_T,sigma_A\na,1,0,20,0.1,0.2\nb,5,1,25,0.3,0.4\nc,9,2,30,0.5,0.6\n");
+  const Dataset data = load_text("curve,P,T,A,sigma_T,sigma_A\na,1,0,20,0.1,0.2\nb,5,1,25,0.3,0.4\nc,9,2,30,0.5,0.6\n");
   const Dataset part = part_of(data, {2, 1});
   ASSERT_EQ(part.points.size(), 2);
   for (const auto& [i, of_all] : {std::pair(0U, 2U), std::pair(1U, 1U)}) {

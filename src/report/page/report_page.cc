@@ -33,10 +33,9 @@ std::string report_page(const ReportContent& content) {
       text_element("h1", title) + text_element("p", "Mode-mixity fits by mixity " MIXITY_VERSION, "soft");
   if (inside && !alone) header += element("nav", links);
   if (!inside)
-    header += text_element("p",
-                           "The figures lie in the folder figures beside this page" +
-                               std::string(alone ? "" : " and are shown where a data set is opened") +
-                               ": keep both together. All else is in the page.");
+    header += text_element("p", "The figures lie in the folder figures beside this page" +
+                                    std::string(alone ? "" : " and are shown where a data set is opened") +
+                                    ": keep both together. All else is in the page.");
   if (!content.settings.explorer.empty())
     header += element("p",
                       link_to("explorer.html", "Explore these data in the browser") +
