@@ -227,13 +227,13 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   double *const P = array(0), *const T = array(1), *const A = array(2), *const sigma_T = array(3),
                 *const sigma_A = array(4);
   if (!listed_.empty() && &points == &points_ && !has_changes(constants) && !from) {
-    const auto from = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
+    const auto listed = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
     for (std::size_t i = 0; i < n; ++i) {
-      P[i] = scale.load(from(0)[i]);
-      T[i] = scale.shear(from(1)[i]);
-      A[i] = scale.true_area(from(2)[i]);
-      sigma_T[i] = scale.shear_force * from(3)[i];
-      sigma_A[i] = scale.area * from(4)[i];
+      P[i] = scale.load(listed(0)[i]);
+      T[i] = scale.shear(listed(1)[i]);
+      A[i] = scale.true_area(listed(2)[i]);
+      sigma_T[i] = scale.shear_force * listed(3)[i];
+      sigma_A[i] = scale.area * listed(4)[i];
     }
     return;
   }

@@ -67,14 +67,14 @@ const ExactConstant* wrong_constant(const FitResult& fit) {
 }
 
 std::vector<std::size_t> sliding_points(const FitResult& fit) {
-  constexpr double kFarOff = 4;    // standard errors of a residual
-  constexpr std::size_t kFew = 2;  // points there that chance allows
+  constexpr double kFarOff = 4;         // standard errors of a residual
+  constexpr std::size_t kByChance = 2;  // points there that chance allows
   std::vector<std::size_t> beyond;
   if (!fit.area || fit.area->areas.size() != fit.used.size()) return beyond;
   for (std::size_t i = 0; i < fit.used.size(); ++i)
     if (!fit.area->predicts(i) && std::abs(fit.residuals[i]) > kFarOff * residual_unit(fit))
       beyond.push_back(fit.used[i]);
-  if (beyond.size() <= kFew) beyond.clear();
+  if (beyond.size() <= kByChance) beyond.clear();
   return beyond;
 }
 

@@ -280,9 +280,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     last_change = change;
     if (change <= (purpose_ == Purpose::tried ? kSettledOfTrial : kSettled) && round > choosing) break;
     if (many) {
-      const double before = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
-      if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < before &&
-          moved * moved <= kLeft * (before - moved))
+      const double earlier = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
+      if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < earlier &&
+          moved * moved <= kLeft * (earlier - moved))
         break;
     }
     // Errors that leap to and fro tell nothing of the data: rounding decides where they stop. Where the rounds settle,

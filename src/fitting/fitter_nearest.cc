@@ -5,6 +5,7 @@
 
 #include "base/threads.h"
 #include "fitting/curve_objective.h"
+#include "fitting/fitted_errors.h"
 #include "fitting/fitter.h"
 #include "solver/linear_algebra.h"
 #include "solver/problem.h"

@@ -2,6 +2,7 @@
 
 #include "analysis/laws.h"
 #include "analysis/settings.h"
+#include "base/number_text.h"
 #include "fitting/consistency.h"
 #include "mechanics/laws/known_laws.h"
 #include "report/data_text.h"
