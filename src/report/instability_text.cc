@@ -1,5 +1,7 @@
 #include "report/instability_text.h"
 
+#include <cmath>
+
 #include <algorithm>
 
 #include "base/number_text.h"
@@ -13,7 +15,9 @@ using Row = std::vector<std::string>;
 
 std::string number_text(const Derived& number, double scale) {
   if (!number.value) return "-";
-  if (!number.standard_error || *number.standard_error == 0) return rounded(*number.value * scale, 8);
+  constexpr double kRounding = 1e-12;  // of a value that does not depend on what is fitted
+  if (!number.standard_error || *number.standard_error <= kRounding * std::abs(*number.value))
+    return rounded(*number.value * scale, 8);
   return with_error(*number.value * scale, *number.standard_error * scale);
 }
 
