@@ -1,8 +1,7 @@
 #include "report/instability_text.h"
 
-#include <cmath>
-
 #include <algorithm>
+#include <cmath>
 
 #include "base/number_text.h"
 #include "base/phrases.h"
