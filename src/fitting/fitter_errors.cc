@@ -142,8 +142,7 @@ bool Fitter::leads_to_the_same_errors(const std::vector<double>& x) {
 
 /// Recomputes the errors as before the first fit; a copy for millions of points would take much memory.
 void Fitter::restore_errors() {
-  *prepared_.errors = standard_errors(data_, options_.sigma_T, options_.sigma_A, true, options_.of_whole.get());
-  prepared_.errors->factor_is_free = options_.free_sigma_factor;
+  *prepared_.errors = errors_before_fit(data_, options_, prepared_.objective);
   problem_ = make_problem(data_, options_, prepared_);
 }
 

@@ -193,6 +193,13 @@ std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptio
   return list;
 }
 
+StandardErrors errors_before_fit(const Dataset& data, const FitOptions& options, Objective objective) {
+  StandardErrors errors =
+      standard_errors(data, options.sigma_T, options.sigma_A, objective == Objective::curve, options.of_whole.get());
+  errors.factor_is_free = options.free_sigma_factor;
+  return errors;
+}
+
 PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOptions& options, Objective objective,
                     const std::vector<std::size_t>* points) {
   require_what_is_asked(data, model, options, objective);
@@ -203,12 +210,9 @@ PreparedFit prepare(const Dataset& data, const ContactModel& model, const FitOpt
   hold_parameters(data, options, prepared);
   if (data.has_loads && (objective == Objective::curve || options.weighted))
     // A fit with given errors finds none, so that these are never changed.
-    prepared.errors =
-        options.errors && objective == Objective::curve
-            ? std::const_pointer_cast<StandardErrors>(options.errors)
-            : std::make_shared<StandardErrors>(standard_errors(data, options.sigma_T, options.sigma_A,
-                                                               objective == Objective::curve, options.of_whole.get()));
-  if (prepared.errors && options.free_sigma_factor && !options.errors) prepared.errors->factor_is_free = true;
+    prepared.errors = options.errors && objective == Objective::curve
+                          ? std::const_pointer_cast<StandardErrors>(options.errors)
+                          : std::make_shared<StandardErrors>(errors_before_fit(data, options, objective));
   require_errors_for_their_factor(data, options, objective, prepared);
   return prepared;
 }

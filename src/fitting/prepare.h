@@ -34,6 +34,9 @@ struct PreparedFit {
 /// The constants to fit with these options: free ones, then uncertain ones.
 std::vector<FittedConstant> fitted_constants(const Dataset& data, const FitOptions& options);
 
+/// The points' errors before a fit, as these options state them.
+StandardErrors errors_before_fit(const Dataset& data, const FitOptions& options, Objective objective);
+
 /// Why a point with loads has no predicted area.
 inline constexpr std::string_view kBelowPullOff =
     "the load lies below the JKR pull-off load -3/2 pi R G_Ic, at which no model predicts an area";
