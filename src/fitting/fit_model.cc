@@ -53,6 +53,9 @@ void show_union(FitResult& fit) {
   if (first->interval->high_status == EndStatus::found) first->interval->high = std::max(high, *first->interval->high);
 }
 
+/// A parameter of one mode of an elliptic contact.
+bool is_coupling(std::string_view parameter) { return parameter.ends_with("_II") || parameter.ends_with("_III"); }
+
 /// Where an elliptic contact with tied couplings fails its tests and passes them without the tie: both couplings.
 std::optional<Diagnosis> without_tie(const Dataset& data, const FitResult& result, FitOptions options) {
   const ContactModel model = ContactModel::find(result.model).value();
@@ -60,15 +63,14 @@ std::optional<Diagnosis> without_tie(const Dataset& data, const FitResult& resul
   std::string key = result.model;
   const bool equal = key.ends_with(kEqualEllipse);
   if (equal) key.replace(key.size() - kEqualEllipse.size(), kEqualEllipse.size(), kEllipse);
-  const std::size_t held = std::erase_if(options.hold, [&](const HeldParameter& one) { return one.value.has_value(); });
+  const std::size_t held = std::erase_if(options.hold, [&](const HeldParameter& one) { return is_coupling(one.name); });
   if (!equal && held == 0) return std::nullopt;
   const std::vector<std::size_t> used = result.used.list();
   const FitResult without = fit(data, key, options, Purpose::tried, &used, nullptr);
   if (!is_found(without) || !explains(data, without)) return std::nullopt;
   std::vector<std::string> couplings;
   for (const FittedParameter& one : without.parameters)
-    if (one.value && one.name.find("_I") != std::string::npos)
-      couplings.push_back(one.name + " = " + rounded(*one.value, 4));
+    if (one.value && is_coupling(one.name)) couplings.push_back(one.name + " = " + rounded(*one.value, 4));
   return Diagnosis{
       "the couplings differ: without the tie " + joined(couplings, " and ") + " describe the points", {}, {}};
 }
