@@ -36,7 +36,7 @@ class Fitter {
   bool has_too_few_points();
   bool is_beyond(double most_misfit) const;
   bool scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage, const ErrorModels& models,
-                        bool chosen, std::optional<ErrorModels>& by_neighbours) const;
+                        double at_most, bool chosen, std::optional<ErrorModels>& by_neighbours) const;
   void report_progress(double fraction) const;
   void describe();
   void fit_as_the_paper();

@@ -10,8 +10,10 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/fitter.h"
 #include "solver/descent.h"
+#include "solver/linear_algebra.h"
 #include "solver/robust.h"
 #include "solver/verdict.h"
+#include "statistics/distributions.h"
 #include "statistics/student.h"
 
 namespace mixity {
@@ -104,9 +106,11 @@ Verdict Fitter::minimum_with_its_errors() {
     if (described && !options_.by_run.empty()) starting_.near = x;
     Verdict verdict = minimum_of(*problem_);
     starting_.near = near;
-    // The errors may have been found, or the residuals judged, in a basin that is not the lowest.
+    // The errors may have been found, or the residuals judged, in a basin that is not the lowest. Where they are as
+    // before the rounds, those have begun at this minimum.
+    const std::vector<double>& begun = described ? x : first_minimum_;
     std::vector<double> residuals(cost_->residual_count());
-    const auto settled = x.empty() ? std::nullopt : sum_of_squares(*cost_, x, residuals);
+    const auto settled = begun.empty() ? std::nullopt : sum_of_squares(*cost_, begun, residuals);
     const double unit = verdict.best.sum_of_squares / static_cast<double>(std::max<std::size_t>(residuals.size(), 1));
     const bool elsewhere =
         settled && !verdict.best.x.empty() && verdict.best.sum_of_squares < *settled - kSamePlace * unit;
@@ -157,6 +161,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
             refining = 12 + more;
   constexpr double kSettled = 1e-10;        // relative change of an error or a residual; an interval changes as much
   constexpr double kSettledOfTrial = 1e-5;  // an explanation shows four digits
+  constexpr double kSettledFarOff = 1e-6;   // where the stated errors are far too small, an interval says no more
   constexpr double kLeap = 0.1;             // relative change in one of the last rounds
   constexpr double kLeft = 3e-4;    // of many points: standard errors by which all further rounds would move the fit
   constexpr double kEnough = 1e-4;  // of many points: standard errors to which a round finds the minimum
@@ -233,8 +238,13 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       return false;
     }
     std::optional<ErrorModels> by_neighbours;  // what Stage::choosing would find, where it is known
-    if ((round == more || round == choosing) &&
-        scatters_too_far(*nearest, leverage, models, round == choosing, by_neighbours)) {
+    // Later rounds change chi^2, mostly by less than a tenth, but not by this factor; 0: not yet known.
+    const double at_most = round == choosing       ? 1.25
+                           : round == more         ? 2
+                           : by_run && round == 2  ? 4
+                           : by_run && round == 1  ? 8
+                                                   : 0;
+    if (at_most > 0 && scatters_too_far(*nearest, leverage, models, at_most, round == choosing, by_neighbours)) {
       given_up_ = true;
       return false;
     }
@@ -267,6 +277,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     errors.run_factors = models.run_factors;
     errors.correlations = models.correlations;
     const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
+    const bool far_off = known && !errors.factor_is_free && !models.correlations.any() && !many &&
+                         chi_squared_p_value(as_vector(nearest->residuals).squaredNorm(), freedom) < kSurely;
+    const double settled = tried ? kSettledOfTrial : far_off ? kSettledFarOff : kSettled;
     errors.freedom = known && !errors.factor_is_free ? 0 : freedom * independence(models.correlations);
     const double before = of_axes != 0 ? log_size_of_areas() : 0;
     change = std::max(change, evaluate_errors(data_, prepared_.used, std::move(*nearest), errors));
@@ -277,7 +290,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     last_change = change;
-    if (change <= (purpose_ == Purpose::tried ? kSettledOfTrial : kSettled) && round > choosing) break;
+    if (change <= settled && round > choosing) break;
     if (many) {
       const double earlier = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
       if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < earlier &&

@@ -40,12 +40,11 @@ bool Fitter::is_beyond(double most_misfit) const {
 }
 
 /// Whether the squares of residuals with known errors are so large, with the neighbours' correlations that explain them
-/// best, that no later round makes the fit an explanation. `chosen`: whether those of `models` are these correlations;
-/// else they are estimated, into `by_neighbours`.
+/// best, that no later round makes the fit an explanation: none divides chi^2 by more than `at_most`. `chosen`: whether
+/// those of `models` are these correlations; else they are estimated, into `by_neighbours`.
 bool Fitter::scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
-                              const ErrorModels& models, bool chosen, std::optional<ErrorModels>& by_neighbours) const {
-  // Later rounds change chi^2, mostly by less than a tenth, but not by this factor.
-  const double at_most = chosen ? 1.25 : 2;
+                              const ErrorModels& models, double at_most, bool chosen,
+                              std::optional<ErrorModels>& by_neighbours) const {
   if (!options_.explanation_only || !problem_->known_errors() || options_.loss != Loss::none) return false;
   double freedom = 0;
   for (const double one : leverage) freedom += 1 - one;

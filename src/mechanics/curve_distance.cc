@@ -98,8 +98,8 @@ class Distances {
   }
 
   /// Whether the place that was found is the nearest: the outline approaches the point there and turns little,
-  /// elsewhere only farther away than by its distance and the size of its segments, and the distance has a clear
-  /// minimum. Of laws whose curves bend on no smaller scale than that of the outline's nodes.
+  /// elsewhere it stays farther away, and the distance has a clear minimum. Of laws whose curves bend on no smaller
+  /// scale than that of the outline's nodes.
   bool is_nearest(const Left& left, const std::vector<Approach>& found) {
     constexpr double kClear = 0.3;  // of the second derivative that the distance from a straight line has
     if constexpr (HasPackedForm<Law>) {
@@ -107,10 +107,11 @@ class Distances {
       set_slot(0, left);
       const std::vector<PlanePlace>& outline = table_->places();
       const double per_T = block_.per_T[0], per_A = block_.per_A[0];
+      const PlanePlace point{std::abs(points_.T[left.index]), points_.A[left.index]};
       const Turn turn = turn_of(outline, found[0].segment, per_T, per_A);
       if (!(left.place.A <= turn.highest && left.place.A >= turn.lowest && turn.sine < 0.5)) return false;
       for (std::size_t k = 1; k < found.size(); ++k)
-        if (!(found[k].distance - size_of(outline, found[k].segment, per_T, per_A) > left.place.distance)) return false;
+        if (!(least_distance(outline, found[k].segment, point, per_T, per_A) > left.place.distance)) return false;
       const Local q = local_form(family_, block_, 0);
       const double least = curvature(q);
       // beyond the convex side of the curve no other place is near
