@@ -98,7 +98,7 @@ Verdict Fitter::minimum_with_its_errors() {
     }
     if (given_up_) {
       Verdict verdict(x.size());
-      verdict.message = "given up: the scatter is far larger than the stated errors";
+      verdict.message = "given up: it explains nothing";
       return verdict;
     }
     // The deviations of the runs are linearised here and are invalid elsewhere.
@@ -235,6 +235,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
         errors.expected.clear();  // nothing else has changed
       else
         restore_errors();
+      given_up_ = first && options_.explanation_only;  // its minimum, with these errors, is known to have this course
       return false;
     }
     std::optional<ErrorModels> by_neighbours;  // what Stage::choosing would find, where it is known
