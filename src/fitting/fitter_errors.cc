@@ -168,6 +168,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kNext = 1e-3;    // else: the same, in units of the errors' last relative change
   constexpr double kSwing = 0.5;    // of the distance from the last errors, that from those before them
   constexpr double kSurely = 1e-6;
+  constexpr double kFound = 0.01;        // of the spread between runs, by which a round moves their deviations
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
   StandardErrors& errors = *prepared_.errors;
@@ -252,6 +253,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (round < more) {  // with the errors from neighbours, until the runs are found
       if (!refresh_columns(x)) return true;
       problem_ = make_problem(data_, options_, prepared_);
+      if (change < kFound) round = more - 1;
       continue;
     }
     std::vector<std::vector<double>> own;

@@ -108,10 +108,14 @@ class Distances {
       const std::vector<PlanePlace>& outline = table_->places();
       const double per_T = block_.per_T[0], per_A = block_.per_A[0];
       const PlanePlace point{std::abs(points_.T[left.index]), points_.A[left.index]};
+      const auto elsewhere = [&](const Approach& one) {
+        return table_->is_along_rays() ? least_distance(outline, one.segment, point, per_T, per_A)
+                                       : one.distance - size_of(outline, one.segment, per_T, per_A);
+      };
       const Turn turn = turn_of(outline, found[0].segment, per_T, per_A);
       if (!(left.place.A <= turn.highest && left.place.A >= turn.lowest && turn.sine < 0.5)) return false;
       for (std::size_t k = 1; k < found.size(); ++k)
-        if (!(least_distance(outline, found[k].segment, point, per_T, per_A) > left.place.distance)) return false;
+        if (!(elsewhere(found[k]) > left.place.distance)) return false;
       const Local q = local_form(family_, block_, 0);
       const double least = curvature(q);
       // beyond the convex side of the curve no other place is near

@@ -82,6 +82,8 @@ class RayTable {
     return on_ray({t, slope(t)}, true);
   }
   int last() const { return last_; }
+  /// Whether the nodes lie close enough that T and A are monotone between them, but where the curve turns.
+  bool is_along_rays() const { return along_rays_ && !family_.non_monotone; }
 
  private:
   // Under a non-monotone law node 0 is JKR, close to node 1; the others are uniform in the curve's coordinate.

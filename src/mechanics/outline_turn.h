@@ -41,28 +41,30 @@ inline Turn turn_of(const std::vector<PlanePlace>& outline, int segment, double 
   return turn;
 }
 
+/// The extent of a segment and its neighbours in T and A together.
+inline double size_of(const std::vector<PlanePlace>& outline, int segment, double per_T, double per_A) {
+  const int last = static_cast<int>(outline.size()) - 1;
+  const PlanePlace &from = outline[static_cast<std::size_t>(std::max(segment - 1, 0))],
+                   &to = outline[static_cast<std::size_t>(std::min(segment + 2, last))];
+  return std::abs(to.T - from.T) * per_T + std::abs(to.A - from.A) * per_A;
+}
+
 /// A lower bound of a point's distance from the curve along a segment and its neighbours: that from the boxes of their
-/// nodes. T and A are monotone between nodes; beside a node at which one turns, the boxes are wider by as much as the
-/// widest segment beside.
+/// nodes, between which T and A are monotone; 0 beside a node at which one turns. Of outlines with nodes along rays.
 inline double least_distance(const std::vector<PlanePlace>& outline, int segment, PlanePlace point, double per_T,
                              double per_A) {
   const int last = static_cast<int>(outline.size()) - 1;
-  const auto beyond = [&](int k, double PlanePlace::*axis) {
-    const auto step = [&](int of) {
-      return outline[static_cast<std::size_t>(of + 1)].*axis - outline[static_cast<std::size_t>(of)].*axis;
-    };
-    const double here = step(k), before = k > 0 ? step(k - 1) : here, after = k + 1 < last ? step(k + 1) : here;
-    const bool turns = !(here * before > 0 && here * after > 0);
-    return turns ? std::max({std::abs(before), std::abs(here), std::abs(after)}) : 0.0;
-  };
-  const auto outside = [&](int k, double PlanePlace::*axis) {
-    const double one = outline[static_cast<std::size_t>(k)].*axis, other = outline[static_cast<std::size_t>(k + 1)].*axis;
-    return std::max({std::min(one, other) - point.*axis, point.*axis - std::max(one, other), beyond(k, axis)}) -
-           beyond(k, axis);
-  };
+  const auto place = [&](int k) { return outline[static_cast<std::size_t>(std::clamp(k, 0, last))]; };
   double least = std::numeric_limits<double>::infinity();
-  for (int k = std::max(segment - 1, 0); k < std::min(segment + 2, last); ++k)
-    least = std::min(least, std::hypot(outside(k, &PlanePlace::T) * per_T, outside(k, &PlanePlace::A) * per_A));
+  for (int k = std::max(segment - 1, 0); k < std::min(segment + 2, last); ++k) {
+    const auto outside = [&](double PlanePlace::*axis) {
+      const double before = place(k - 1).*axis, from = place(k).*axis, to = place(k + 1).*axis,
+                   after = place(k + 2).*axis;
+      const bool monotone = (to - from) * (from - before) >= 0 && (to - from) * (after - to) >= 0;
+      return monotone ? std::max({std::min(from, to) - point.*axis, point.*axis - std::max(from, to), 0.0}) : 0.0;
+    };
+    least = std::min(least, std::hypot(outside(&PlanePlace::T) * per_T, outside(&PlanePlace::A) * per_A));
+  }
   return least;
 }
 
