@@ -97,7 +97,7 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
     data_.excluded.push_back({row.line(), unusable});
     return;
   }
-  if (const double ratio = std::exp(std::abs(read.axes.q)); ratio > largest_axes_) {
+  if (const double ratio = std::exp(std::sqrt(std::abs(read.direction))); ratio > largest_axes_) {
     largest_axes_ = ratio;
     line_of_largest_ = row.line();
     along_ = read.axes.q > 0;

@@ -103,6 +103,7 @@ TEST(EllipticExperiments, OfAxesThatAreAllEqualFindACircle) {
   for (PointAxes& axes : data.axes) axes = {0, std::numeric_limits<double>::quiet_NaN(), 0};
   const FitResult fit = fit_model(data, "c-ellipse");
   EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+  EXPECT_NEAR(fit.errors->axes_factor / kLeastError, 1, 0.01);
   EXPECT_NEAR(*fit.parameters[1].value / *fit.parameters[0].value, 0.5, 1e-4);
   EXPECT_NEAR(*fit.parameters[0].value, 0.02, 4 * *fit.parameters[0].stderr_);
 }
