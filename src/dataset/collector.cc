@@ -82,7 +82,8 @@ Collector::Collector(const std::string& metadata_path, const std::vector<Heading
       reader_(metadata_path, headings, rules, load, data) {
   using enum ColumnId;
   has_errors_ = false;
-  for (const ColumnId id : {sigma_T, sigma_A, sigma_Gc, sigma_GI, sigma_GII}) has_errors_ |= columns().has(id);
+  for (const ColumnId id : {sigma_T, sigma_A, sigma_a_par, sigma_Gc, sigma_GI, sigma_GII})
+    has_errors_ |= columns().has(id);
   has_axes_ = columns().lengths() && !columns().lengths()->round();
   data.taken = columns().taken;
   data.mapping = columns().mapped;
@@ -96,13 +97,14 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
     data_.excluded.push_back({row.line(), unusable});
     return;
   }
-  if (const double ratio = std::exp(std::abs(read.axes.q)); ratio > largest_axes_) {
+  if (const double ratio = std::exp(std::sqrt(std::abs(read.direction))); ratio > largest_axes_) {
     largest_axes_ = ratio;
     line_of_largest_ = row.line();
     along_ = read.axes.q > 0;
   }
   direction_ += read.direction;
   weight_ += std::abs(read.direction);
+  squares_ += std::norm(read.direction);
   if (columns().holds_pull_off()) {
     data_.pull_off.push_back(read.pull_off);
     return;
@@ -271,13 +273,19 @@ void Collector::add_note_on_axes() {
             rounded(100 * (largest_axes_ - 1), 2) + "%";
   if (columns().has(ColumnId::major) && !columns().has(ColumnId::angle))
     note += "; without the column 'angle' the major axis is taken to lie across the shear";
-  // Shear stretches a contact along or across itself. Noise has no direction.
-  constexpr double kOblique = 10, kCommon = 0.5;
+  // Shear stretches a contact along or across itself. Noise has no direction, but few axes may share one by chance: of
+  // n alike in 1 of exp(kSurely) as closely as here (Rayleigh's test).
+  constexpr double kOblique = 10, kCommon = 0.5, kSurely = 7;
   const double degrees = std::arg(direction_) / 4 * 180 / std::numbers::pi;
-  if (std::abs(degrees) > kOblique && std::abs(direction_) > kCommon * weight_)
+  if (std::abs(degrees) > kOblique && std::abs(direction_) > kCommon * weight_) {
     note += "; they lie " + rounded(std::abs(degrees), 2) +
             " degrees from the shear and the direction across it: 'angle' is to be measured from the shear, so turn it "
             "if the image is turned";
+    if (std::norm(direction_) > kSurely * squares_) {
+      data_.axes.clear();
+      note += "; until then only the areas are used";
+    }
+  }
   data_.notes.push_back(note);
 }
 

@@ -82,9 +82,9 @@ class Collector {
   bool has_axes_ = false;
   double largest_axes_ = 1;  // the largest ratio of the axes of elliptic contacts
   std::size_t line_of_largest_ = 0;
-  bool along_ = false;              // the longer of these axes lies along the shear
-  std::complex<double> direction_;  // sum of those of the axes; of their sizes: weight_
-  double weight_ = 0;
+  bool along_ = false;               // the longer of these axes lies along the shear
+  std::complex<double> direction_;   // sum of those of the axes; of their sizes: weight_
+  double weight_ = 0, squares_ = 0;  // and of their squares
 };
 
 }  // namespace mixity

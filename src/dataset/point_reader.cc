@@ -143,7 +143,7 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
   }
   number.standard_error(ColumnId::sigma_T, point.T, units_.force, in_T, read.errors.T);
   number.standard_error(ColumnId::sigma_A, point.A, area_unit, in_A, read.errors.A);
-  read.states_errors = in_T >= 0 || in_A >= 0;
+  read.states_errors = in_T >= 0 || (in_A >= 0 && !columns_.has(ColumnId::sigma_a_par));
   return {};
 }
 

@@ -293,6 +293,7 @@ std::vector<Cause> beside_the_fit(const Case& of) {
   const FittedParameter* const first = find_parameter(fit.parameters, fit.budget->parameter);
   if (!first || !first->value || !first->stderr_ || !first->interval) return list;
   constexpr double kMatters = 0.5;  // standard errors beyond an end, an eighth of an interval of 95 %
+  const bool by_itself = !is_nearly_wrong(*nearly, fit.budget->independent);
   const double quantile = std::sqrt(chi_squared_quantile(first->interval->confidence, 1));
   for (const double side : {-1.0, 1.0}) {
     const auto& end = side < 0 ? first->interval->low : first->interval->high;
@@ -300,7 +301,7 @@ std::vector<Cause> beside_the_fit(const Case& of) {
     // Only what lies outermost, according to the linearised fit, is fitted.
     std::vector<std::pair<double, Constant>> beyond;
     for (const ExactConstant& one : fit.budget->exact) {
-      if (!one.score || one.score->fall < nearly->score->fall - kAboutAsWell) continue;
+      if (!one.score || one.score->fall < nearly->score->fall - kAboutAsWell || (by_itself && &one != nearly)) continue;
       const double reach = side * one.score->change + quantile * one.score->widening;
       if (reach > side * (*end - *first->value) / *first->stderr_ + kMatters)
         beyond.emplace_back(-reach, constant_named(one.constant).value());

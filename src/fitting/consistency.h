@@ -36,6 +36,8 @@ const ExactConstant* wrong_constant(const FitResult& fit);
 /// (docs/noise.md), 6.9 % of the fits were `ok` and wrong, and 1.1 % are; 0.2 changes nothing more and is met by twice
 /// as many right fits.
 const ExactConstant* nearly_wrong_constant(const FitResult& fit);
+/// Whether a constant's score test nearly fails as one of so many tests.
+bool is_nearly_wrong(const ExactConstant& one, double tests);
 
 /// A constant farther from its stated value than its standard error explains; else null.
 const BudgetPart* far_from_stated(const FitResult& fit);

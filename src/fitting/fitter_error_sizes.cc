@@ -148,10 +148,11 @@ double Fitter::size_axes(const NearestPlaces& nearest) {
   for (const double r : nearest.axes) squares += r * r;
   // the axes' residuals determine about one parameter, the second coupling
   const double freedom = std::max(static_cast<double>(nearest.axes.size()) - 1, 1.0),
-               change = std::sqrt(squares / freedom);
-  if (!(change > 0)) return 0;
-  prepared_.errors->axes_factor *= change;
-  return std::log(change);
+               before = prepared_.errors->axes_factor;
+  // those of round contacts may all be equal: the error would fall to 0 round by round
+  const double found = std::max(before * std::sqrt(squares / freedom), kLeastError);
+  prepared_.errors->axes_factor = found;
+  return std::log(found / before);
 }
 
 /// Sets the standard error of pull-off loads that state none. Returns the change of its logarithm.

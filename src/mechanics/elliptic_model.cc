@@ -286,7 +286,7 @@ bool curve_distances(const EllipticModel& model, ParameterSpan p, const PlanePoi
   for (std::size_t i = 0; i < n; ++i) T_most = std::max(T_most, std::abs(points.T[i]) + 10 * points.sigma_T[i]);
   if (!(T_most <= kLargestLoad)) return false;
   return with_ends(model, p, [&]<class Law>(const Law& law, const auto& II, const auto& III, double nu) {
-    std::optional<EllipticCurve<Law>> curve;
+    std::optional<EllipticNearest<Law>> curve;
     for (std::size_t i = 0; i < n; ++i) {
       const double P = points.P[i];
       if (i == 0 || P != points.P[i - 1]) {

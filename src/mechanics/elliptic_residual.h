@@ -18,13 +18,13 @@
 #include <optional>
 #include <utility>
 
-#include "mechanics/elliptic_curve.h"
+#include "mechanics/elliptic_nearest.h"
 
 namespace mixity {
 
 template <class Law>
 class EllipticResidual {
-  using Curve = EllipticCurve<Law>;
+  using Curve = EllipticNearest<Law>;
   using Spot = typename Curve::Spot;
   using Vector = typename Curve::Vector;
   using Nearest = typename Curve::Nearest;

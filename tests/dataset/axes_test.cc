@@ -46,6 +46,8 @@ TEST(Axes, HaveTheErrorsThatAreStated) {
   EXPECT_NEAR(data.axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12);
   EXPECT_NEAR(data.axes[0].correlation, (0.01 * 0.01 - 0.02 * 0.02) / (0.01 * 0.01 + 0.02 * 0.02), 1e-12);
   EXPECT_NEAR(data.errors_of(0).A / data.points[0].A, std::hypot(0.01, 0.02), 1e-12);
+  EXPECT_EQ(texts_of(data.notes).size(),
+            1u);  // on the axes: these errors stand in columns, not in the fields of values
   const Dataset of_cells = read("P [mN],T [mN],d_par [mm],d_perp [mm]\n4,2,0.54 +/- 0.0054,0.6 +/- 2%\n");
   EXPECT_NEAR(of_cells.axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12);
   EXPECT_TRUE(std::isnan(read("P [mN],T [mN],a_par [mm],a_perp [mm]\n4,2,0.27,0.3\n").axes[0].sigma_q));
@@ -62,6 +64,21 @@ TEST(Axes, OfTurnedImagesAreNamed) {
   EXPECT_NE(says("4,0,0.6,0.598,35\n4,2,0.6,0.56,120\n4,3,0.6,0.54,120\n").find("30 degrees"), std::string::npos);
   EXPECT_EQ(says("4,0,0.6,0.598,35\n4,2,0.6,0.56,91\n4,3,0.6,0.54,88\n"), "");
   EXPECT_EQ(says("4,0,0.6,0.598,20\n4,1,0.6,0.598,80\n4,2,0.6,0.598,40\n4,3,0.6,0.598,150\n"), "");
+}
+
+/// Half of the difference of axes at 30 degrees lies along the shear: as ratios of a and b they would be wrong.
+TEST(Axes, OfTurnedImagesAreNotUsed) {
+  std::string turned = "P [mN],T [mN],Major [mm],Minor [mm],Angle\n", round = turned;
+  for (int i = 0; i < 20; ++i) {
+    const std::string row = "4," + std::to_string(i) + ",0.6,0.5" + std::to_string(99 - 2 * i) + ",";
+    turned += row + std::to_string(i < 4 ? 120 - 30 * i : 120 + i % 3) + "\n";
+    round += row + std::to_string(15 * i) + "\n";
+  }
+  const Dataset data = read(turned);
+  EXPECT_TRUE(data.axes.empty());
+  EXPECT_EQ(data.points.size(), 20u);
+  EXPECT_TRUE(texts_of(data.notes).back().ends_with("until then only the areas are used"));
+  EXPECT_EQ(read(round).axes.size(), 20u);
 }
 
 /// A table's `b` of another kind leaves `a` a radius.

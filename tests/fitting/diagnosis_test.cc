@@ -221,5 +221,19 @@ TEST(Diagnosis, OfDataWithoutScatterIsSilent) {
   EXPECT_EQ(fit_model(data, "c").status, FitStatus::ok);
 }
 
+/// Of four tests p = 0.15 is no sign of a wrong constant, but contacts that shear do become ellipses.
+TEST(Diagnosis, AsksOfARadiusReadTooLargeByItself) {
+  const auto nearly = [](const char* constant, double value) {
+    FitResult fit;
+    fit.budget.emplace();
+    fit.budget->independent = 4;
+    fit.budget->exact.push_back({constant, "", 0.1, 0.01, ExactConstant::Score{2, value, 0.15, 3, 2}});
+    return nearly_wrong_constant(fit) != nullptr;
+  };
+  EXPECT_TRUE(nearly("shape", 0.005));
+  EXPECT_FALSE(nearly("shape", -0.005));
+  EXPECT_FALSE(nearly("modulus", 0.005));
+}
+
 }  // namespace diagnosis_test
 }  // namespace mixity

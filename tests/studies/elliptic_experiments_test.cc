@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,29 @@ TEST(EllipticExperiments, NameBothCouplingsWhereTheTieIsWrong) {
   }
   held.hold = {{"lambda_III", 0.005}};
   EXPECT_EQ(fit_model(data, "c-ellipse", held).status, FitStatus::ok);
+}
+
+/// The axes tell lambda_III/(1 - nu): with nu held at another value than the data's, another lambda_III is named.
+TEST(EllipticExperiments, KeepOtherHeldValuesWhereTheTieIsWrong) {
+  const Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 3, std::nullopt);
+  FitOptions held;
+  held.hold = {{"lambda_III", 0.0}, {"poisson_ratio", 0.25}};
+  const FitResult fit = fit_model(data, "c-ellipse", held);
+  EXPECT_EQ(fit.status, FitStatus::suspect);
+  EXPECT_NE(fit.message.text().find("lambda_II = 0.02 and lambda_III = 0.0075 describe"), std::string::npos)
+      << fit.message.text();
+}
+
+/// Without stated errors, those of the axes come from their scatter, which is 0 here.
+TEST(EllipticExperiments, OfAxesThatAreAllEqualFindACircle) {
+  Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.01, 0.5}), 3, 0);
+  data.errors.clear();
+  for (PointAxes& axes : data.axes) axes = {0, std::numeric_limits<double>::quiet_NaN(), 0};
+  const FitResult fit = fit_model(data, "c-ellipse");
+  EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
+  EXPECT_NEAR(fit.errors->axes_factor / kLeastError, 1, 0.01);
+  EXPECT_NEAR(*fit.parameters[1].value / *fit.parameters[0].value, 0.5, 1e-4);
+  EXPECT_NEAR(*fit.parameters[0].value, 0.02, 4 * *fit.parameters[0].stderr_);
 }
 
 /// chi^2 of 2 x 12 deviations from the truth in standard errors: beyond 60 by chance in 1 of 15,000.
