@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
+#include "base/kept_contents.h"
 #include "base/stop.h"
 #include "base/unfinished_run.h"
 
@@ -159,6 +160,15 @@ std::vector<std::string> files_remembered() {
   Remembered& all = remembered();
   const std::lock_guard lock(all.mutex);
   return all.paths;
+}
+
+void forget_large_contents(std::vector<InputFile>& files) {
+  constexpr std::size_t kLarge = std::size_t{1} << 20;
+  for (InputFile& file : files) {
+    if (!file.content || file.bytes <= kLarge) continue;
+    file.whole_path = std::filesystem::absolute(file.path).string();
+    file.content = nullptr;
+  }
 }
 
 std::string content_of(const InputFile& file) {

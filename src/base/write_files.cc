@@ -60,11 +60,38 @@ std::filesystem::path end_of_links(const std::string& path) {
   cannot_be_written(path, ELOOP);
 }
 
+/// Folders that a run creates. Those that are empty at its end, as where it is refused, are removed.
+class CreatedFolders {
+ public:
+  CreatedFolders() = default;
+  CreatedFolders(const CreatedFolders&) = delete;
+  CreatedFolders& operator=(const CreatedFolders&) = delete;
+  ~CreatedFolders() {
+    for (auto folder = list_.rbegin(); folder != list_.rend(); ++folder) ::rmdir(folder->c_str());
+  }
+
+  /// Creates the folder and those above it. Throws OutputError.
+  void create(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::vector<std::filesystem::path> missing;
+    for (std::filesystem::path one = folder; !one.empty() && !std::filesystem::exists(one, error);
+         one = one.parent_path())
+      missing.push_back(one);
+    for (auto one = missing.rbegin(); one != missing.rend(); ++one)
+      if (std::filesystem::create_directory(*one, error)) list_.push_back(*one);
+    std::filesystem::create_directories(folder, error);
+    if (error) throw OutputError(folder.string() + ": cannot be created: " + error.message());
+  }
+
+ private:
+  std::vector<std::filesystem::path> list_;  // the outer ones first
+};
+
 /// A file written under a temporary name, and removed unless it is moved into place.
 class StagedFile {
  public:
   /// Creates its folder.
-  explicit StagedFile(const OutputFile& file) : file_(file) {
+  StagedFile(const OutputFile& file, CreatedFolders& created) : file_(file) {
     const std::string& path = file.path;
     std::error_code unknown;
     const auto kind = std::filesystem::status(path, unknown).type();
@@ -72,9 +99,7 @@ class StagedFile {
     if (kind == std::filesystem::file_type::directory || path.ends_with('/')) check(EISDIR);
     if (kind == std::filesystem::file_type::regular && ::access(path.c_str(), W_OK) != 0) check(errno);
     target_ = end_of_links(path);
-    std::error_code error;
-    std::filesystem::create_directories(parent(), error);
-    if (error) throw OutputError(parent().string() + ": cannot be created: " + error.message());
+    created.create(parent());
     hash_ = content_hash(file.content);
   }
   StagedFile(const StagedFile&) = delete;
@@ -289,9 +314,10 @@ void write_files(const std::vector<OutputFile>& files, const OutputRules& rules)
   spare_inputs(rules.inputs, files);
   spare_own_names(files);
   tell_apart(files);
+  CreatedFolders created;  // outlives the temporary files in them
   std::deque<StagedFile> staged;
   std::set<std::string> hashes;
-  for (const OutputFile& file : files) hashes.insert(staged.emplace_back(file).hash());
+  for (const OutputFile& file : files) hashes.insert(staged.emplace_back(file, created).hash());
   OutputFolders folders = folders_of(staged, rules.renewed);
   for (StagedFile& file : staged) file.enter(folders);
   if (!rules.force)
@@ -301,7 +327,7 @@ void write_files(const std::vector<OutputFile>& files, const OutputRules& rules)
   // Records are put in place first: they accept both the old and the new version of each file.
   std::deque<StagedFile> recorded, announced;
   const auto write_temporaries = [&](const auto& contents, std::deque<StagedFile>& list) {
-    for (const OutputFile& file : contents) list.emplace_back(file).enter(folders);
+    for (const OutputFile& file : contents) list.emplace_back(file, created).enter(folders);
     for (StagedFile& file : list) file.write_temporary();
   };
   write_temporaries(of_records, recorded);

@@ -10,6 +10,7 @@
 #include "analysis/run.h"
 #include "analysis/run_all.h"
 #include "base/files.h"
+#include "base/kept_contents.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
@@ -84,7 +85,14 @@ int run_fit(const Arguments& arguments) {
   bool all_ok = true;
   const Progress progress = progress_line("fit");
   std::vector<Analysis> results = run_all(
-      requests, [](const FitRequest& one, const Progress& part) { return run(one, part); }, progress);
+      requests,
+      [](const FitRequest& one, const Progress& part) {
+        Dataset data =
+            one.runs.empty() ? load_dataset(one.data_path, one.constants) : load_pooled(one.runs, one.constants);
+        forget_large_contents(data.inputs);  // which would stay in memory beside the points
+        return run(one, std::move(data), part);
+      },
+      progress);
   for (const Analysis& one : results) all_ok &= can_be_believed(one);
   if (progress) progress(1);
   make_names_unique(results);

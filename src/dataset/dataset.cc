@@ -158,7 +158,11 @@ void refuse_value(const Dataset& data, const Point& point, std::string_view colu
   FilePlace place{data.line_in_file(point.line), 0};
   std::optional<std::size_t> index;
   try {
-    Inputs as_read(data.inputs);
+    std::vector<InputFile> files = data.inputs;
+    for (InputFile& file : files)
+      if (!file.content && file.bytes <= Inputs::kMostKept)
+        file.content = std::make_shared<const std::string>(content_of(file));
+    Inputs as_read(files);
     const ColumnRules rules = rules_of(data.metadata, as_read);
     read_csv(path, as_read,
              [&](const CsvRow& row) {

@@ -239,9 +239,14 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   }
   const PointArrays arrays = workspace.points(n);
   points.fill(Indices(*this, begin, n).list, arrays);
-  for (std::size_t i = 0; from && i < n; ++i) {
-    arrays.near_T[i] = from->T[index_of(begin + i)];
-    arrays.near_A[i] = from->A[index_of(begin + i)];
+  if (from && order_.empty()) {
+    std::copy_n(from->T.data() + begin, n, arrays.near_T.data());
+    std::copy_n(from->A.data() + begin, n, arrays.near_A.data());
+  } else if (from) {
+    for (std::size_t i = 0; i < n; ++i) {
+      arrays.near_T[i] = from->T[index_of(begin + i)];
+      arrays.near_A[i] = from->A[index_of(begin + i)];
+    }
   }
   const bool varies = varies_ || has_changes(constants), near = arrays.near_A[0] > 0;
   if (near && out.place_A.empty()) {
@@ -249,30 +254,44 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
     out.place_A = workspace.array(12, n);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (varies) scale = ConstantsScale(constants, points.at(index_of(begin + i)).place);
-    if (near && !(out.place_A[i] > 0)) {
-      out.place_T[i] = std::abs(scale.shear(arrays.near_T[i]));
-      out.place_A[i] = scale.true_area(arrays.near_A[i]);
+  double *const place_T = out.place_T.data(), *const place_A = out.place_A.data();
+  const double *const near_T = arrays.near_T.data(), *const near_A = arrays.near_A.data();
+  const auto begin_near = [&](std::size_t i, const ConstantsScale& by) {
+    const bool unknown = !(place_A[i] > 0);
+    place_T[i] = unknown ? std::abs(by.shear(near_T[i])) : place_T[i];
+    place_A[i] = unknown ? by.true_area(near_A[i]) : place_A[i];
+  };
+  if (varies) {
+    for (std::size_t i = 0; i < n; ++i) {
+      scale = ConstantsScale(constants, points.at(index_of(begin + i)).place);
+      if (near) begin_near(i, scale);
+      P[i] = scale.load(P[i]);
+      T[i] = scale.shear(T[i]);
+      A[i] = scale.true_area(A[i]);
+      sigma_T[i] *= scale.shear_force;
+      sigma_A[i] *= scale.area;
     }
-    P[i] = scale.load(P[i]);
-    T[i] = scale.shear(T[i]);
-    A[i] = scale.true_area(A[i]);
-    sigma_T[i] *= scale.shear_force;
-    sigma_A[i] *= scale.area;
+    return;
   }
+  const ConstantsScale same = scale;  // array by array, which compilers make vectors of
+  for (std::size_t i = 0; near && i < n; ++i) begin_near(i, same);
+  for (std::size_t i = 0; i < n; ++i) P[i] = same.load(P[i]);
+  for (std::size_t i = 0; i < n; ++i) T[i] = same.shear(T[i]);
+  for (std::size_t i = 0; i < n; ++i) A[i] = same.true_area(A[i]);
+  for (std::size_t i = 0; i < n; ++i) sigma_T[i] *= same.shear_force;
+  for (std::size_t i = 0; i < n; ++i) sigma_A[i] *= same.area;
 }
 
 bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,
                                const Range& range, Search search, Workspace& workspace, const Wanted& wanted) const {
-  const std::size_t n = end - begin, width = choice_.size(), p = model_parameters();
+  const std::size_t n = end - begin, width = choice_.size(), p = model_parameters(),
+                    first_row = begin - range.first.value_or(0);  // where rows follow one another
   const auto array = [&](std::size_t which) { return workspace.array(which, n); };
   CurveDistances out{
       array(7), array(8), array(9), array(10), {workspace.values.get() + Workspace::kArrays * workspace.size, n * p}};
   if (!wanted.places.empty()) {
-    const std::size_t row = begin - range.first.value_or(0);
-    out.place_T = wanted.places.subspan(row, n);
-    out.place_A = wanted.places.subspan(wanted.places.size() / 2 + row, n);
+    out.place_T = wanted.places.subspan(first_row, n);
+    out.place_A = wanted.places.subspan(wanted.places.size() / 2 + first_row, n);
   } else if (wanted.nearest) {
     out.place_T = array(11);
     out.place_A = array(12);
@@ -286,15 +305,21 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   const bool held = model().holds_approach();
   if (held) approach.add(*this, at.constants, points, begin, n, axes, plane, out);
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
-  if (!std::all_of(A.begin(), A.end(), [](double one) { return one > 0; })) return false;
+  bool positive = true;
+  for (std::size_t i = 0; i < n; ++i) positive &= A[i] > 0;
+  if (!positive) return false;
+  const bool in_order = range.first || order_.empty(), in_place = in_order && !wanted.halves,
+             all_in_place = in_place && !wanted.jacobian.empty() && width == p && choice_.constants().empty();
+  if (in_place) out.r = wanted.residuals.subspan(first_row, n);
+  if (all_in_place) out.parameters = wanted.jacobian.subspan(first_row * p, n * p);
   if (!model().curve_distances(at.parameters, plane, search, !wanted.jacobian.empty() || wanted.nearest, out))
     return false;
-  const auto to = [&](std::size_t i) { return range.first ? begin + i - *range.first : index_of(begin + i); };
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto to = [&](std::size_t i) { return in_order ? first_row + i : index_of(begin + i); };
+  for (std::size_t i = 0; !in_place && i < n; ++i) {
     double& residual = wanted.residuals[to(i)];
     residual = wanted.halves ? residual + out.r[i] / 2 : out.r[i];
   }
-  if (!wanted.jacobian.empty()) {
+  if (!wanted.jacobian.empty() && !all_in_place) {
     std::size_t column = 0;
     for (const std::size_t parameter : choice_.of_model()) {
       for (std::size_t i = 0; i < n; ++i) wanted.jacobian[to(i) * width + column] = out.parameters[i * p + parameter];

@@ -62,6 +62,14 @@ std::vector<MeasuredAxes> loads_beside(const Dataset& data, const PreparedFit& p
   return list;
 }
 
+/// The first of these indices, if they are consecutive points of the data set.
+std::optional<std::size_t> first_of_consecutive(std::span<const std::uint32_t> indices, const PointIndices& used) {
+  if (!used.are_first() || indices.empty()) return std::nullopt;
+  bool consecutive = true;
+  for (std::size_t k = 0; k < indices.size(); ++k) consecutive &= indices[k] == indices[0] + k;
+  return consecutive ? std::optional<std::size_t>(indices[0]) : std::nullopt;
+}
+
 /// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
 /// must outlive the result.
 MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared) {
@@ -78,16 +86,26 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     bool has_near() const { return near && !errors->place_T.empty(); }
     bool has_places() const override { return places.has_value(); }
     void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
-      const bool all = used.are_first(), reversed = !data.shear_reversed.empty(), places_known = has_near();
+      const bool reversed = !data.shear_reversed.empty(), places_known = has_near();
       const std::size_t n = indices.size();
-      for (std::size_t k = 0; k < n; ++k) {
-        const Point& point = data.points[all ? indices[k] : used[indices[k]]];
+      const auto first = first_of_consecutive(indices, used);
+      const auto each = [&](const auto& use) {  // use(k, point)
+        if (first)
+          for (std::size_t k = 0; k < n; ++k) use(k, *first + k);
+        else
+          for (std::size_t k = 0; k < n; ++k) use(k, used[indices[k]]);
+      };
+      each([&](std::size_t k, std::size_t i) {
+        const Point& point = data.points[i];
         to.P[k] = point.P;
         to.T[k] = reversed ? data.sign_of_shear(point.curve) * point.T : point.T;
         to.A[k] = point.A;
-      }
+      });
       const auto copy = [&](const std::vector<double>& list, std::span<double> array) {
-        for (std::size_t k = 0; k < n; ++k) array[k] = list[all ? indices[k] : used[indices[k]]];
+        if (first)
+          std::copy_n(list.data() + *first, n, array.data());
+        else
+          for (std::size_t k = 0; k < n; ++k) array[k] = list[used[indices[k]]];
       };
       const auto set = [&](double value, std::span<double> array) { std::fill_n(array.begin(), n, value); };
       errors ? copy(errors->T, to.sigma_T) : set(1, to.sigma_T);

@@ -28,8 +28,7 @@ class Distances {
     const std::size_t n = points_.P.size();
     for (std::size_t from = 0; from < n; from += kBlock) {
       const std::size_t count = std::min(kBlock, n - from);
-      if (!valid(points_, from, count)) return false;
-      set_points(block_, points_, from, count);
+      if (!take_points(from, count)) return false;
       if (begin_nearby(from, count))
         run_block<Begin::nearby>(family_, kSteps, true, block_, result_);
       else
@@ -56,6 +55,17 @@ class Distances {
   }
 
  private:
+  /// False if a point cannot be a measured one.
+  bool take_points(std::size_t from, std::size_t count) {
+    if (count == kBlock) {
+      const PointsFrom points(points_, from);
+      return MIXITY_HAS_WIDE ? fill_by_four(points, block_) : fill_by_two(points, block_);
+    }
+    if (!valid(points_, from, count)) return false;
+    set_points(block_, points_, from, count);
+    return true;
+  }
+
   /// A point that remains after the first pass, and the nearest point of the curve found for it.
   struct Left {
     std::size_t index;
@@ -66,6 +76,7 @@ class Distances {
   /// Takes the caller's starting points. False if a point of the block has none.
   bool begin_nearby(std::size_t from, std::size_t count) {
     if (out_.place_A.empty() || family_.uncoupled) return false;
+    if (count == kBlock) return begin_slots(&out_.place_T[from], &out_.place_A[from], block_);
     for (std::size_t slot = 0; slot < kBlock; ++slot) {
       const std::size_t i = from + std::min(slot, count - 1);
       if (!(out_.place_A[i] > 0)) return false;
@@ -274,41 +285,43 @@ class Distances {
 
   /// Whether all points of the block are proven to be nearest to a place between the ends of the curve.
   bool all_inside() const {
-    double least = 1, ends = 0;
-    for (std::size_t slot = 0; slot < kBlock; ++slot) {
-      least = std::min(least, std::min(result_.sure[slot], block_.settled[slot]));
-      ends += block_.at_end[slot];
-    }
-    return least > 0 && ends == 0;
+    std::int64_t all = -1;
+    for (std::size_t slot = 0; slot < kBlock; ++slot)
+      all &= mask(result_.sure[slot] > 0) & mask(block_.settled[slot] > 0) & ~mask(block_.at_end[slot] > 0);
+    return all != 0;
+  }
+
+  /// Of all slots: idle ones repeat the last.
+  static bool are_finite(const Packed& values) {
+    std::int64_t all = -1;
+    for (const double value : values) all &= mask(std::abs(value) <= std::numeric_limits<double>::max());
+    return all != 0;
   }
 
   /// The same as write() for each of these points.
   bool write_all(std::size_t from, std::size_t count) {
-    constexpr double kFinite = std::numeric_limits<double>::max();
     bool finite = true;
-    const auto copy = [&](const Packed& values, double* to) {
-      for (std::size_t slot = 0; slot < count; ++slot) {
-        to[slot] = values[slot];
-        finite &= std::abs(values[slot]) <= kFinite;
-      }
+    const auto copy = [&](const Packed& values, double* __restrict to) {
+      std::copy_n(values.begin(), count, to);
+      finite &= are_finite(values);
     };
     copy(result_.r, &out_.r[from]);
     if (!out_.place_A.empty()) {
       std::copy_n(block_.T.begin(), count, &out_.place_T[from]);
       std::copy_n(block_.A.begin(), count, &out_.place_A[from]);
     }
-    for (const double slope : result_.dA) finite &= std::abs(slope) <= kFinite;
+    finite &= are_finite(result_.dA);
     if (!derivatives_) return finite;
     copy(result_.dP, &out_.dP[from]);
     copy(result_.dT, &out_.dT[from]);
     copy(result_.dA, &out_.dA[from]);
     for (std::size_t slot = 0; slot < count; ++slot) out_.dT[from + slot] *= std::copysign(1.0, points_.T[from + slot]);
     const std::size_t p = family_.p.size();
-    for (std::size_t k = 0; k < p; ++k)
-      for (std::size_t slot = 0; slot < count; ++slot) {
+    for (std::size_t k = 0; k < p; ++k) {
+      for (std::size_t slot = 0; slot < count; ++slot)
         out_.parameters[(from + slot) * p + k] = result_.parameters[k][slot];
-        finite &= std::abs(result_.parameters[k][slot]) <= kFinite;
-      }
+      finite &= are_finite(result_.parameters[k]);
+    }
     return finite;
   }
 

@@ -1,6 +1,8 @@
 // The stages of nearest_newton.h and nearest_proof.h applied to a block of measured points.
 #pragma once
 
+#include <cstdint>
+
 #include "mechanics/nearest_proof.h"
 #include "mechanics/states.h"
 
@@ -58,6 +60,52 @@ void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Bloc
   if constexpr (kBegin != Begin::anywhere) start_by_two<kBegin>(family, block);
   settle_by_two(family, steps, block);
   measure_block(family, derivatives, block, result);
+}
+
+/// All bits set if true: comparisons of doubles that are joined by & and | become vectors.
+MIXITY_LOOP std::int64_t mask(bool is) { return is ? -1 : 0; }
+
+/// The arrays of measured points from one on.
+struct PointsFrom {
+  PointsFrom(const PlanePoints& of, std::size_t from)
+      : P(&of.P[from]), T(&of.T[from]), A(&of.A[from]), sigma_T(&of.sigma_T[from]), sigma_A(&of.sigma_A[from]) {}
+  const double *P, *T, *A, *sigma_T, *sigma_A;
+};
+
+/// Fills all slots. False if a point cannot be a measured one, as valid() has it.
+MIXITY_LOOP bool fill_slots(const PointsFrom points, Block& __restrict block) {
+  constexpr double kFinite = std::numeric_limits<double>::max();
+  std::int64_t all = -1;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double P = points.P[i], T = std::abs(points.T[i]), A = points.A[i], sigma_T = points.sigma_T[i],
+                 sigma_A = points.sigma_A[i];
+    all &= mask(std::abs(P) <= kLargestLoad) & mask(above_pull_off(P) >= 0) & mask(T <= kLargestLoad) & mask(A > 0) &
+           mask(A <= kFinite) & mask(sigma_T > 0) & mask(sigma_T <= kFinite) & mask(sigma_A > 0) &
+           mask(sigma_A <= kFinite);
+    block.P[i] = P;
+    block.T_point[i] = T;
+    block.A_point[i] = A;
+    block.sigma_T[i] = sigma_T;
+    block.sigma_A[i] = sigma_A;
+    block.per_T[i] = 1 / sigma_T;
+    block.per_A[i] = 1 / sigma_A;
+  }
+  return all != 0;
+}
+inline bool fill_by_two(const PointsFrom& points, Block& __restrict block) { return fill_slots(points, block); }
+[[gnu::flatten]] MIXITY_WIDE inline bool fill_by_four(const PointsFrom& points, Block& __restrict block) {
+  return fill_slots(points, block);
+}
+
+/// Starts all slots at these places. False if one has none.
+MIXITY_LOOP bool begin_slots(const double* __restrict T, const double* __restrict A, Block& __restrict block) {
+  std::int64_t all = -1;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    block.T[i] = T[i];
+    block.A[i] = A[i];
+    all &= mask(A[i] > 0);
+  }
+  return all != 0;
 }
 
 /// Whether these points can be measured ones. Without branches, so that the loop is vectorised.

@@ -242,6 +242,22 @@ TEST(OutputFile, OfSeveralAllAreOldOrAllAreNew) {
   for (const char* name : {"one", "two", "three"}) EXPECT_EQ(read_file(folder.path(name)), "new");
 }
 
+TEST(OutputFile, OfARunThatIsRefusedOrFailsLeavesNoNewFolder) {
+  const TemporaryFolder folder;
+  const std::string theirs = folder.write("report.html", "of somebody else");
+  const std::string figure = folder.path("figures/one/curve.svg");
+  EXPECT_THROW(write_files({{figure, "new"}, {theirs, "new"}}), OutputError);  // refused
+  EXPECT_FALSE(std::filesystem::exists(folder.path("figures")));
+  EXPECT_THROW(write_files({{figure, "new"}, {"/dev/full", "new"}}, kForce), OutputError);  // fails
+  EXPECT_FALSE(std::filesystem::exists(folder.path("figures")));
+  std::filesystem::create_directory(folder.path("figures"));  // this one is the user's
+  EXPECT_THROW(write_files({{figure, "new"}, {theirs, "new"}}), OutputError);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("figures")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("figures/one")));
+  write_file(figure, "new");
+  EXPECT_EQ(read_file(figure), "new");
+}
+
 TEST(OutputFile, IsNeverOneOfTheInputs) {
   const TemporaryFolder folder;
   const std::string input = folder.write("data", "1");

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/input_error.h"
+#include "base/kept_contents.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
@@ -137,6 +138,23 @@ TEST(InputStream, OfMoreThanIsKeptTheHashAloneIsAndTheFileIsReadAgain) {
   std::filesystem::resize_file(path, Inputs::kMostKept);
   EXPECT_EQ(error_of([&] { content_of(file); }),
             path + ": is another than the one that was read: its hash is not " + file.hash);
+}
+
+TEST(Inputs, OfMoreThanAMegabyteAreReadAgainOnceForgotten) {
+  const TemporaryFolder folder;
+  const std::string small = folder.write("small.csv", "P,T,A\n"),
+                    large = folder.write("large.csv", std::string((1 << 20) + 1, 'x'));
+  Inputs inputs;
+  inputs.read(small);
+  const std::string content = inputs.read(large);
+  std::vector<InputFile> files = inputs.files();
+  forget_large_contents(files);
+  EXPECT_NE(files[0].content, nullptr);
+  EXPECT_EQ(files[1].content, nullptr);
+  EXPECT_EQ(content_of(files[1]), content);
+  folder.write("large.csv", "shorter");
+  EXPECT_EQ(error_of([&] { content_of(files[1]); }),
+            large + ": is another than the one that was read: its hash is not " + files[1].hash);
 }
 
 }  // namespace inputs_test
