@@ -4,8 +4,9 @@
 # What we guessed: `stderr` is the curvature's, 0.08, as scipy's curve_fit gives it at its bound, or None with errorbars False;
 # for lmfit scales the covariance back from its internal variable to the parameter.
 # What we saw: the slope is 0, `success` and `errorbars` are true, and the standard error is that in most data sets, less than half
-# of it in others, and a thousandth in a few. It is scaled by the derivative of the transformation, which is 0 at the min, so
-# it depends on where the steps stopped.
+# of it in others, and a thousandth in a few. The covariance comes from the last Jacobian of the internal variable, and is scaled
+# by the derivative of the transformation at the end. That goes to 0 at the min, so a step after the last Jacobian changes the
+# error by as much as it changes the distance from the min.
 # What we do: at a bound no standard error is given but a one-sided interval, and the status is at_bound.
 set -eu
 folder=$(mktemp -d)

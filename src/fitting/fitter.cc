@@ -252,16 +252,18 @@ Verdict Fitter::find_minimum() {
   off_with_correlations_ = independent_ = false;
   const bool fitted_errors =
       prepared_.objective == Objective::curve && data_.has_loads && options_.fitted_errors && !prepared_.used.empty();
+  const bool weighted = prepared_.objective == Objective::toughness && options_.weighted;
+  if (weighted && !data_.has_loads)  // weights that are the same whatever the parameters
+    problem_ = make_problem(data_, options_, prepared_, toughness_weights(data_, options_, prepared_, prepared_.base));
   Verdict verdict = fitted_errors && !options_.errors ? minimum_with_its_errors() : minimum_of(*problem_);
-  const bool reweighted = prepared_.objective == Objective::toughness && options_.weighted;
-  if (reweighted && !settle_weights(verdict)) return verdict;
+  if (weighted && data_.has_loads && !settle_weights(verdict)) return verdict;
   if (options_.loss == Loss::none) return verdict;
   return options_.loss == Loss::t ? find_minimum_of_student(std::move(verdict))
                                   : find_robust_minimum(std::move(verdict));
 }
 
-/// The standard errors depend on the model: refits near the last minimum until they no longer change, then one over the
-/// whole range. False if they do not settle.
+/// Where there are loads, the standard errors depend on the model: refits near the last minimum until they no longer
+/// change, then one over the whole range. False if they do not settle.
 bool Fitter::settle_weights(Verdict& verdict) {
   constexpr int kMost = 50;
   constexpr double kSettled = 1e-12, kEnough = 1e-8;  // relative change of a parameter

@@ -131,7 +131,7 @@ bool ToughnessObjective::evaluate(std::span<const double> x, std::span<double> r
 }
 
 bool ToughnessObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
-  if (is_packed()) return evaluate(x, residuals, {});
+  if (is_packed() || mixities_.size() < 2 * kSample) return evaluate(x, residuals, {});
   const Candidate at = candidate(x);
   std::fill(residuals.begin(), residuals.end(), 0.0);
   double value = 0;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mechanics/base/law.h"
 #include "mechanics/registry.h"
@@ -37,7 +38,9 @@ class EnergyCurve {
   /// parameters are computed only if `slopes`.
   EnergyDistance<Law> distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness,
                                bool slopes = true) const {
-    const Target target{G_I / toughness, G_II / toughness, sigma_I / toughness, sigma_II / toughness};
+    const double by_I = toughness / sigma_I, by_II = toughness / sigma_II;
+    const Target target{G_I / toughness,      G_II / toughness, sigma_I / toughness,
+                        sigma_II / toughness, by_I * by_I,      by_II * by_II};
     const Nearest nearest = find(target);
     // along the normal, where rounding of the nearest point does not matter; at an end of the law, the plain offset
     double x = (nearest.G_I - target.G_I) / target.sigma_I, y = (nearest.G_II - target.G_II) / target.sigma_II;
@@ -68,9 +71,10 @@ class EnergyCurve {
  private:
   static constexpr double kTiny = 1e-18;  // the mode ratio at which the first term of ln f suffices
   static constexpr int kNodes = 48;
+  static constexpr std::size_t kBesideCorner = 8;
 
   struct Target {
-    double G_I, G_II, sigma_I, sigma_II;
+    double G_I, G_II, sigma_I, sigma_II, weight_I, weight_II;  // a weight is 1/sigma^2
   };
   struct Nearest {
     double B, G_I, G_II, d_I, d_II;  // energies and their derivatives in B, in units of G_Ic
@@ -109,11 +113,11 @@ class EnergyCurve {
             B * both + once};
   }
   static double half_slope(const Target& t, const Nearest& q) {
-    return (q.G_I - t.G_I) / (t.sigma_I * t.sigma_I) * q.d_I + (q.G_II - t.G_II) / (t.sigma_II * t.sigma_II) * q.d_II;
+    return t.weight_I * (q.G_I - t.G_I) * q.d_I + t.weight_II * (q.G_II - t.G_II) * q.d_II;
   }
   static double half_bend(const Target& t, const Nearest& q) {
-    return (q.d_I * q.d_I + (q.G_I - t.G_I) * q.dd_I) / (t.sigma_I * t.sigma_I) +
-           (q.d_II * q.d_II + (q.G_II - t.G_II) * q.dd_II) / (t.sigma_II * t.sigma_II);
+    return t.weight_I * (q.d_I * q.d_I + (q.G_I - t.G_I) * q.dd_I) +
+           t.weight_II * (q.d_II * q.d_II + (q.G_II - t.G_II) * q.dd_II);
   }
   static double square(const Target& t, const Nearest& q) {
     return std::pow((q.G_I - t.G_I) / t.sigma_I, 2) + std::pow((q.G_II - t.G_II) / t.sigma_II, 2);
@@ -151,10 +155,12 @@ class EnergyCurve {
   Nearest find(const Target& target) const {
     // Nodes uniform in psi, up to where the energies are finite; each sign change of the slope from - to + is a
     // minimum.
-    Nearest before = has_tangent() ? node(0) : at(beside_corner_), best = before;
+    const Nearest first = has_tangent() ? node(0) : at(beside_corner_);
+    const Nearest* before = &first;
+    Nearest best = first;
     if (!has_tangent()) best.B = 0, best.G_I = 1, best.G_II = 0;
     best.at_end = true;
-    double least = square(target, best), slope = half_slope(target, before);
+    double least = square(target, best), slope = half_slope(target, first);
     if (has_tangent() && slope > 0) {  // beyond psi = 0, on the tangent G_I = 1 + slope G_II
       const double m = slope_at_mode_I_, a = m / target.sigma_I, b = 1 / target.sigma_II;
       const double t = (a * (target.G_I - 1) / target.sigma_I + b * target.G_II / target.sigma_II) / (a * a + b * b);
@@ -163,12 +169,33 @@ class EnergyCurve {
         least = square(target, best);
       }
     }
+    // From a corner the law may lead away and then along the point before the first node: twice the slope changes sign.
+    std::array<Nearest, kBesideCorner> beside;
+    if (!has_tangent()) {
+      const double own = std::clamp(target.G_II / (std::abs(target.G_I) + std::abs(target.G_II)), 0.0, 1.0);
+      for (Nearest& here : beside) {
+        const auto share = static_cast<double>(&here - beside.data() + 1) / kBesideCorner;
+        const double B = own * share * share;
+        if (!(B > before->B && B < node(1).B)) continue;
+        here = at(B);
+        const double next = half_slope(target, here);
+        if (slope < 0 && next >= 0) {
+          const Nearest inside = between(target, *before, here, slope, next);
+          if (const double found = square(target, inside); found < least) {
+            best = inside;
+            least = found;
+          }
+        }
+        before = &here;
+        slope = next;
+      }
+    }
     for (int i = 1; i <= kNodes; ++i) {
-      Nearest here = node(i);
+      const Nearest& here = node(i);
       if (!std::isfinite(here.G_II + here.d_I + here.d_II)) break;
       const double next = half_slope(target, here);
       if (slope < 0 && next >= 0) {
-        const Nearest inside = between(target, before, here, slope, next);
+        const Nearest inside = between(target, *before, here, slope, next);
         if (const double found = square(target, inside); found < least) {
           best = inside;
           least = found;
@@ -182,7 +209,7 @@ class EnergyCurve {
           best.at_end = true;
         }
       }
-      before = here;
+      before = &here;
       slope = next;
     }
     return best;
@@ -212,11 +239,15 @@ class EnergyPolygon {
   /// Unsigned, to a thousandth of the size of the law's curve; infinite where the law is not a number.
   double distance(double G_I, double G_II, double sigma_I, double sigma_II, double toughness) const {
     double least = std::numeric_limits<double>::infinity();  // squared
+    const double unit_I = toughness / sigma_I, unit_II = toughness / sigma_II, at_I = G_I / sigma_I,
+                 at_II = G_II / sigma_II;
     const auto scaled = [&](const Corner& corner) {
-      return Corner{(toughness * corner.G_I - G_I) / sigma_I, (toughness * corner.G_II - G_II) / sigma_II};
+      return Corner{unit_I * corner.G_I - at_I, unit_II * corner.G_II - at_II};
     };
-    for (std::size_t i = 0; i + 1 < count_; ++i) {
-      const Corner from = scaled(corners_[i]), to = scaled(corners_[i + 1]);
+    if (count_ == 0) return least;
+    Corner to = scaled(corners_[0]);
+    for (std::size_t i = 1; i < count_; ++i) {
+      const Corner from = std::exchange(to, scaled(corners_[i]));
       const double I = to.G_I - from.G_I, II = to.G_II - from.G_II, length = I * I + II * II;
       const double along = length > 0 ? std::clamp(-(from.G_I * I + from.G_II * II) / length, 0.0, 1.0) : 0;
       const double x = from.G_I + along * I, y = from.G_II + along * II;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "solver/linear_algebra.h"
 #include "statistics/distributions.h"
@@ -40,10 +42,21 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
   // without scatter the error may be lost in the rounding of x
   const double step = std::max(first_step, std::numeric_limits<double>::epsilon() * std::abs(best));
   double inside = best, outside = bound, x = best + direction * step;
+  std::vector<double> all_inside = profile.point();
+  const auto newton = [&](const std::optional<Profile::Value>& here) {
+    const double rise = here ? std::sqrt(std::max(here->cost - search.least, 0.0)) : 0;
+    const double slope = rise > 0 ? 0.5 * here->slope / rise : 0;  // of that square root
+    return slope * direction > 0 ? x + search.left(here ? here->cost : 0) / slope : bound + direction;
+  };
+  const auto between = [&](double next, double end) {
+    return (next - inside) * direction > 0 && (end - next) * direction > 0;
+  };
   bool bracketed = false, exceeded = false;  // a value was beyond the allowance, or not finite; the former
+  std::optional<Profile::Value> again;       // a lower cost at `outside`
+  double cost_outside = 0;
   for (int i = 0; i < options.most_iterations; ++i) {
     if ((x - bound) * direction >= 0) x = bound;
-    const auto here = profile(x, i == 0 ? options.profile_first : 1);
+    const auto here = again ? std::exchange(again, std::nullopt) : profile(x, i == 0 ? options.profile_first : 1);
     if (here && here->cost < search.deep) {
       search.deep = here->cost;
       search.deeper = profile.point();
@@ -51,17 +64,26 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
     const bool within = here && here->cost <= search.least + search.allowance;
     if (within && x == bound) return {x, at_end};
     (within ? inside : outside) = x;
+    if (within) {
+      all_inside = profile.point();
+      if (outside == x) {  // it was that of another minimum over the others
+        outside = bound;
+        bracketed = exceeded = false;
+      }
+    } else {
+      cost_outside = here ? here->cost : 0;
+    }
     bracketed |= !within;
     exceeded |= here && !within;
-    const double rise = here ? std::sqrt(std::max(here->cost - search.least, 0.0)) : 0;
-    const double slope = rise > 0 ? 0.5 * here->slope / rise : 0;  // of that square root
-    double next = x + search.left(here ? here->cost : 0) / slope;
+    double next = newton(here);
     const double farthest = bracketed ? outside : best + 4 * (x - best);
-    if (slope * direction > 0 && (next - inside) * direction > 0 && (farthest - next) * direction > 0) {
+    if (between(next, farthest)) {
       // Newton's method squares the error
       if (i > 0 && std::abs(next - x) <= options.interval_step * std::abs(next - best)) return {next, EndStatus::found};
     } else {
-      next = bracketed ? 0.5 * (inside + outside) : farthest;
+      // The cost inside does not rise to that outside: there another minimum over the others may be lower.
+      if (within && exceeded && all_inside.size() > 1) again = profile.from(all_inside, outside, cost_outside);
+      next = again ? outside : bracketed ? 0.5 * (inside + outside) : farthest;
     }
     // The cost jumps only at the bound itself, where another parameter would have to be infinite.
     if (exceeded && outside == bound && std::abs(inside - bound) <= kAtBound * std::abs(best - bound))
@@ -171,11 +193,25 @@ std::optional<Profile::Value> Profile::operator()(double value, double share) {
     }
   }
   if (!minimum) return std::nullopt;
+  return take(*minimum, std::move(here));
+}
+
+std::optional<Profile::Value> Profile::from(const std::vector<double>& x, double value, double above) {
+  // minima beyond x may lie in another basin, to which an interpolation would lead
+  std::erase_if(found_, [&](const auto& one) { return (one[k_] - x[k_]) * (value - x[k_]) > 0; });
+  const Anchor anchor{x, kernel_.at(x)};
+  const auto minimum = descend_from(anchor, value, decrease_);
+  if (!minimum || !(minimum->cost < above)) return std::nullopt;
+  return take(*minimum, {minimum->x, kernel_.last()});
+}
+
+Profile::Value Profile::take(const Kernel::Held& minimum, Anchor here) {
   last_ = std::move(here);
   x_ = last_.x;
+  const double value = x_[k_];
   const bool known = std::any_of(found_.begin(), found_.end(), [&](const auto& one) { return one[k_] == value; });
-  if (minimum->settled && !known) found_.push_back(minimum->next);
-  return Value{minimum->cost, minimum->slope, minimum->settled};
+  if (minimum.settled && !known) found_.push_back(minimum.next);
+  return {minimum.cost, minimum.slope, minimum.settled};
 }
 
 std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& best, double confidence,

@@ -38,6 +38,8 @@ class Profile {
   void begin(std::size_t k);
   /// Null if no finite cost was found. `share`: factor on `decrease`.
   std::optional<Value> operator()(double value, double share = 1);
+  /// The same from these parameters, a minimum over the others at another value. Null unless the cost is below `above`.
+  std::optional<Value> from(const std::vector<double>& x, double value, double above);
   /// All parameters at the minimum found last.
   const std::vector<double>& point() const { return x_; }
   /// The cost there with its derivatives, if there are several parameters.
@@ -54,6 +56,7 @@ class Profile {
   /// The others by interpolation between the nearest minima; the tangent's if that is not clearly better.
   std::vector<double> predicted(const Anchor& anchor, double value) const;
   std::optional<Kernel::Held> descend_from(const Anchor& anchor, double value, double decrease);
+  Value take(const Kernel::Held& minimum, Anchor here);
 
   const Problem& problem_;
   std::size_t k_ = 0;

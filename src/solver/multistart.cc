@@ -50,12 +50,15 @@ class Grid {
     return total;
   }
   std::vector<double> node(std::size_t i) const {
-    std::vector<double> x;
-    for (const auto& axis : axes_) {
-      x.push_back(axis[i % axis.size()]);
-      i /= axis.size();
-    }
+    std::vector<double> x(axes_.size());
+    set_node(i, x);
     return x;
+  }
+  void set_node(std::size_t i, std::vector<double>& x) const {
+    for (std::size_t k = 0; k < axes_.size(); ++k) {
+      x[k] = axes_[k][i % axes_[k].size()];
+      i /= axes_[k].size();
+    }
   }
   /// Calls use(below, above) for each axis: the neighbours of node i, null beyond an end of the axis.
   template <class Use>
@@ -75,9 +78,10 @@ class Grid {
 
 Starts starts_of_grid(const Problem& problem, const Axes& axes) {
   const Grid grid(axes);
-  std::vector<double> costs(grid.size(), kInfinity), residuals(problem.residual_count());
+  std::vector<double> costs(grid.size(), kInfinity), residuals(problem.residual_count()), x(axes.size());
   for (std::size_t i = 0; i < costs.size(); ++i) {
-    if (!problem.evaluate_roughly(grid.node(i), residuals)) continue;
+    grid.set_node(i, x);
+    if (!problem.evaluate_roughly(x, residuals)) continue;
     const double sum = std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
     if (std::isfinite(sum)) costs[i] = sum;
   }

@@ -115,6 +115,25 @@ TEST(ToughnessObjective, LeavesHeldParametersAlone) {
   EXPECT_EQ(objective.candidate({&eta, 1}).parameters, (ParameterValues{1.774, 2.284}));
 }
 
+/// The search computes values alone; below eta = 1/2 these come from other terms than those with derivatives.
+TEST(ToughnessObjective, HasTheSameResidualsWithoutDerivatives) {
+  std::vector<ToughnessPoint> all;
+  for (const double psi : {1e-200, 1e-9, 0.05, 0.4, 0.8, 1.2, 1.57}) all.push_back({mixity_from_angle(psi), 1.0});
+  const ToughnessObjective objective(all, Scale::log, FreeChoice(model_named("bk"), {{2, 2}, {}}, {false, false}));
+  std::vector<double> with(all.size()), alone(all.size()), roughly(all.size()), slopes(2 * all.size());
+  for (const double r : {1e-3, 0.3, 1.0, 3.0, 1e3})
+    for (const double eta : {0.01, 0.1, 0.4999, 0.5, 2.0, 100.0}) {
+      const std::vector<double> x{r, eta};
+      ASSERT_TRUE(objective.evaluate(x, with, slopes));
+      ASSERT_TRUE(objective.evaluate(x, alone, {}));
+      ASSERT_TRUE(objective.evaluate_roughly(x, roughly));
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_NEAR(alone[i], with[i], 1e-13 * (1 + std::abs(with[i]))) << r << ' ' << eta << ' ' << i;
+        EXPECT_EQ(roughly[i], alone[i]);
+      }
+    }
+}
+
 TEST(ToughnessObjective, ReportsAnInfiniteValueInsteadOfReturningIt) {
   const ToughnessObjective objective({{Mixity<double>{0, 1}, 5.0}}, Scale::log,
                                      FreeChoice(model_named("c"), {{0.5}, {}}, {false}));

@@ -72,6 +72,35 @@ def test_each_series_of_snow_by_hand_has_its_coupling(root):
     assert round(F, 2) == 2.25
 
 
+def bk_chi2(of, r, eta, G_Ic):
+    """Squared distances from a polygon of 4,000 sides along the law bk."""
+    B = np.sin(np.linspace(0, np.pi / 2, 4001)) ** 2
+    Gc = G_Ic * (1 + (r - 1) * B**eta)
+    I = (Gc * (1 - B))[:, None] / of["sigma_GI"] - of["G_I"] / of["sigma_GI"]
+    II = (Gc * B)[:, None] / of["sigma_GII"] - of["G_II"] / of["sigma_GII"]
+    step_I, step_II = np.diff(I, axis=0), np.diff(II, axis=0)
+    along = np.clip(-(I[:-1] * step_I + II[:-1] * step_II) / (step_I**2 + step_II**2), 0, 1)
+    return ((I[:-1] + along * step_I) ** 2 + (II[:-1] + along * step_II) ** 2).min(axis=0).sum()
+
+
+def test_an_interval_ends_where_chi2_has_risen_although_another_minimum_over_the_others_is_higher(root):
+    """bk of the first series by hand: from r = 6 on, steps outwards may end at eta = 0.06, where chi^2 is larger."""
+    of = energies(root, "snow_weak_layers_manual")
+    of = {key: column[of["curve"] == 1] for key, column in of.items()}
+    errors = {key: of[key] for key in ("sigma_GI", "sigma_GII")}
+    fit = mixity.fit(mixity.Dataset(G_I=of["G_I"], G_II=of["G_II"], **errors), "bk", free=["toughness"], checks=False)["bk"]
+
+    def lowest(r, start):
+        function = lambda x: bk_chi2(of, r, *np.exp(x))
+        return minimize(function, np.log(start), method="Nelder-Mead", options={"xatol": 1e-6, "fatol": 1e-7}).fun
+
+    r, eta, toughness = (fit.params[name].value for name in ("r", "eta", "toughness"))
+    least = bk_chi2(of, r, eta, toughness)
+    low, high = fit.params["r"].interval
+    assert lowest(low, [0.7, 0.49]) - least == pytest.approx(3.8415, abs=1e-3)
+    assert lowest(high, [10, 0.51]) - least == pytest.approx(3.8415, abs=1e-3)
+
+
 def test_snow_by_video_has_one_line_for_all_series(root):
     of = energies(root, "snow_weak_layers_video")
     coupling, toughness, chi2 = line(of, np.zeros(len(of["G_I"]), int))

@@ -152,13 +152,22 @@ def page_tables(results):
 
 
 def rounded(value):
+    """To digits from which the page's are the same."""
     if isinstance(value, dict):
         return {key: rounded(one) for key, one in value.items()}
     if isinstance(value, list):
         return [rounded(one) for one in value]
     if isinstance(value, float):
-        return float(f"{value:.4g}") if math.isfinite(value) else None
+        return float(f"{value:.6g}") if math.isfinite(value) else None
     return value
+
+
+def with_earlier(results, folder):
+    """The cells that the JSON in this folder has, with these in place of the same ones."""
+    path = folder / "who_covers.json"
+    found = {result["cell"]: result for result in json.loads(path.read_text(encoding="utf-8"))} if path.is_file() else {}
+    found |= {result["cell"]: result for result in results}
+    return [found[words] for words in map(problems.words, problems.cells()) if words in found]
 
 
 def write(results, folder):

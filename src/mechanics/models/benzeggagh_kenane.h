@@ -83,7 +83,7 @@ struct BenzeggaghKenane {
   static double log_toughness_alone(const std::array<double, 2>& p, const Mixity<double>& mixity) {
     if (!(mixity.sin > 0)) return 0;
     const ModeRatio<double> mode(mixity);
-    if (mode.tiny || p[1] < 0.5) return log_toughness(p, mixity).value;
+    if (mode.tiny) return log_toughness(p, mixity).value;
     const double power = std::exp(p[1] * mode.log_B), q = (p[0] - 1) * power;
     return q < -0.5 ? log_toughness(p, mixity).value : std::log1p(q);
   }
