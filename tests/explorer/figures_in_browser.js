@@ -18,7 +18,8 @@ async function drop(page, files) {
   await page.evaluate(() => { window.explorer.experiment.result = null; });
   await page.setInputFiles('#file', files);
   await fitted(page);
-  await page.waitForTimeout(200);  // until it is drawn
+  await page.waitForTimeout(200);  // until it is drawn: one figure a frame, which a busy machine takes longer for
+  await page.evaluate(async () => { for (let i = 0; i < 20; ++i) await new Promise(requestAnimationFrame); });
 }
 const seriesOf = (page, figure) => page.evaluate(name => window.explorer.experiment.figures[name].chart.getOption().series.map(({id, name: title, color, symbol, data}) => ({id, title, color, symbol, points: data.length})), figure);
 
