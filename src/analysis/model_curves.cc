@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/threads.h"
+#include "base/units.h"
 #include "fitting/predicted_area.h"
 
 namespace mixity {
@@ -107,10 +108,14 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& items, std::size
 std::vector<double> over_fitted_toughness(const Dataset& data, const FitResult& fit) {
   std::vector<double> factors(data.curves.size(), 1);
   const FittedParameter* const of_all = find_parameter(fit.parameters, kConstantNames[kToughness]);
+  const auto size = [](const std::string& unit) { return unit.empty() ? 1 : parse_unit(unit).value().factor; };
+  // what a ratio of 1 is, in J/m^2
+  const double whole = data.display.energy.empty() ? data.metadata.toughness.value_or(1)
+                                                   : data.display.energy_scale * size(data.display.energy);
   for (std::size_t run = 0; run < factors.size() && !data.has_loads; ++run) {
     const FittedParameter* const own = find_parameter(fit.parameters, "toughness(" + data.curves[run] + ")");
     const FittedParameter* const found = own ? own : of_all;
-    if (found && found->value) factors[run] = data.display.energy_scale / *found->value;
+    if (found && found->value) factors[run] = whole / (*found->value * size(found->unit));
   }
   return factors;
 }

@@ -1,6 +1,7 @@
 #include "dataset/display_units.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/number_text.h"
 #include "base/units.h"
@@ -44,8 +45,8 @@ std::string point_hover(const Dataset& data, std::size_t i) {
             ", T = " + with_unit(point.T * units.force_scale, 5, units.force) +
             ", A = " + with_unit(point.A * units.area_scale, 5, units.area);
   if (const auto toughness = data.toughness(i))
-    text += (data.has_loads ? ", ψ = " : "ψ = ") + rounded(toughness->psi(), 4) +
-            " rad, Gc/GIc = " + rounded(toughness->ratio, 4);
+    text += (data.has_loads ? ", ψ = " : "ψ = ") + rounded(toughness->psi() * 180 / std::numbers::pi, 4) +
+            "°, Gc/GIc = " + rounded(toughness->ratio, 4);
   return text;
 }
 

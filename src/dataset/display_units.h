@@ -29,7 +29,7 @@ struct DrawnUnits {
   }
 };
 
-/// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, psi = 0.31 rad, Gc/GIc = 1.2".
+/// "line 5, run 2: P = 2 mN, T = 5.1 mN, A = 0.298 mm^2, ψ = 17.8°, Gc/GIc = 1.2".
 std::string point_hover(const Dataset& data, std::size_t i);
 
 /// "0.31 mN", or "0.31" without a unit.

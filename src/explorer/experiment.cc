@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "analysis/judgement.h"
+#include "analysis/model_curves.h"
 #include "base/number_text.h"
 #include "base/units.h"
 #include "explorer/drawing.h"
@@ -100,7 +101,12 @@ Json model_of(const Analysis& result, const FitResult& fit) {
                                                          : "Gc/GIc"}};
   drawn["toughness"] = drawn_toughness(data, fit, 0.5 * pi<double>(), 1e4, 120);
   if (fit.pull_off > 0) drawn["pull_off"] = pull_off_curve(result, fit);
-  if (!data.has_loads) return drawn;
+  if (!data.has_loads) {
+    // what makes a measured ratio one over the toughness that was fitted
+    const std::vector<double> of_runs = over_fitted_toughness(data, fit);
+    drawn["over"] = list_of(data.points, [&](const Point& point) { return of_runs[point.curve]; });
+    return drawn;
+  }
   const auto by_run = points_by_curve(data);
   Json runs = Json::array();
   for (std::size_t run = 0; run < by_run.size(); ++run) {

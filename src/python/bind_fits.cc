@@ -1,6 +1,7 @@
 // Fits.
 #include <cmath>
 
+#include "analysis/model_curves.h"
 #include "analysis/result.h"
 #include "analysis/run.h"
 #include "analysis/settings.h"
@@ -86,6 +87,10 @@ void bind_fits(nb::module_& m) {
            [](const Analysis& result, std::size_t i) {
              const auto& used = result.fits.at(i).used;
              return numpy_of({used.begin(), used.end()});
+           })
+      .def("over_fitted_toughness",  // by run
+           [](const Analysis& result, std::size_t i) {
+             return numpy_of(over_fitted_toughness(result.data, result.fits.at(i)));
            })
       .def("profile",
            [](const Analysis& result, std::size_t i, const std::string& name) {

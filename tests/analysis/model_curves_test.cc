@@ -57,6 +57,20 @@ TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundForTheirSeries) {
   EXPECT_EQ(over_fitted_toughness(data, {}).at(0), 1);
 }
 
+/// Gc in N/mm, whose toughness is stated and is shown in J/m^2.
+TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundWhateverItsUnit) {
+  FitRequest request;
+  request.data_path = MIXITY_ROOT "/data/im7_8552_mmb.csv";
+  request.models = {"bk"};
+  request.options.free = {kToughness};
+  request.options.checks = false;
+  const Analysis result = run(request);
+  const FitResult& fit = result.fits.at(0);
+  const FittedParameter* const found = find_parameter(fit.parameters, "toughness");
+  ASSERT_TRUE(found && found->value && found->unit == "J/m^2");
+  EXPECT_NEAR(over_fitted_toughness(result.data, fit).at(0) * *found->value, 324, 1e-9);
+}
+
 /// Loads that are read 4 mN too large, which the metadata state.
 TEST(ModelCurves, MapsOfRegimesAreOfTheLoadsAsCorrected) {
   FitRequest request;

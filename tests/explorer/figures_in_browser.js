@@ -18,7 +18,8 @@ async function drop(page, files) {
   await page.evaluate(() => { window.explorer.experiment.result = null; });
   await page.setInputFiles('#file', files);
   await fitted(page);
-  await page.waitForTimeout(200);  // until it is drawn
+  await page.waitForTimeout(200);  // until it is drawn: one figure a frame, which a busy machine takes longer for
+  await page.evaluate(async () => { for (let i = 0; i < 20; ++i) await new Promise(requestAnimationFrame); });
 }
 const seriesOf = (page, figure) => page.evaluate(name => window.explorer.experiment.figures[name].chart.getOption().series.map(({id, name: title, color, symbol, data}) => ({id, title, color, symbol, points: data.length})), figure);
 
@@ -105,7 +106,18 @@ async function crop(page) {
   await page.selectOption('#run', '2');
   await page.waitForTimeout(200);
   const [[third, other]] = await says();
-  expect(first === 'cuts run P=30.4' && third === 'cuts run P=11.5' && tint !== other, `the crop line says ${first}, ${third}`);
+  expect(first === 'cuts P = 7.732 mN' && third === 'cuts P = 2.925 mN' && tint !== other, `the crop line says ${first}, ${third}`);
+  const named = await page.evaluate(() => [...document.getElementById('run').options].map(({text}) => text));
+  expect(named[0] === 'P = 7.732 mN (P=30.4)', `the first of the runs to cut is called ${named[0]}`);
+  const above = await page.evaluate(() => [window.explorer.experiment.figures.all, window.explorer.experiment.figures.run].flatMap(({chart, handles}) => {
+    const plot = chart.getModel().getComponent('grid').coordinateSystem.getRect().y;
+    return [...handles.values()].map(line => {
+      const text = line.getTextContent(), box = text.getBoundingRect().clone();
+      box.applyTransform(text.getComputedTransform());
+      return [box.y, box.y + box.height, plot];
+    });
+  }));
+  expect(above.length === 3 && above.every(([top, end, plot]) => top > 0 && end < plot + 1), `the texts of the crop lines lie from and to, the plot from ${JSON.stringify(above)}`);
   const at = await page.evaluate(() => {
     const {measured, state} = window.explorer.models;
     return [state.P, measured.runs[2].P];
@@ -306,6 +318,29 @@ async function pullOff(page) {
   expect(!await page.isVisible('#pull-off') && await page.isVisible('#figure-fit'), 'pull-off loads stay');
 }
 
+/// Measured toughnesses are drawn over the one that was fitted, so that they lie about the law.
+async function fittedToughness(page) {
+  const definition = {name: 'im7_fit.toml', mimeType: 'application/toml', buffer: Buffer.from('data = "im7_8552_mmb.csv"\nmodels = ["c"]\nobjective = "toughness"\nweighted = true\nfree = ["toughness"]\n')};
+  const [data, constants] = ['csv', 'toml'].map(ending => path.join(root, `data/im7_8552_mmb.${ending}`));
+  await drop(page, [...[data, constants].map(file => ({name: path.basename(file), mimeType: 'text/plain', buffer: fs.readFileSync(file)})), definition]);
+  const [{parameters}] = await fitsOn(page);
+  const [drawn, ratios] = await page.evaluate(() => [
+    window.explorer.experiment.figures.all.chart.getOption().series.find(({id}) => id === 'points').data.map(([, f]) => f), window.explorer.experiment.told.energies.f]);
+  // stated in N/mm, found in J/m^2
+  expect(drawn.length === 6 && drawn.every((f, i) => near(f, ratios[i] * 324 / parameters.toughness.value, 1e-9)), `points over the toughness ${parameters.toughness.value}: ${drawn}`);
+  expect(/Points are over the toughness that model c found/.test(await page.textContent('#caption-fit')), `the caption says: ${await page.textContent('#caption-fit')}`);
+}
+
+/// On paper each picture lies within its figure.
+async function printed(page) {
+  await drop(page, sample);
+  await page.emulateMedia({media: 'print'});
+  const beyond = await page.$$eval('figure .chart canvas', all => all.map(one => [one.getBoundingClientRect(), one.closest('figure').getBoundingClientRect()])
+    .filter(([picture]) => picture.width > 0).map(([picture, around]) => [picture.right - around.right, picture.bottom - around.bottom]));
+  expect(beyond.length >= 8 && beyond.every(([right, below]) => right < 0 && below < 0), `printed pictures end beyond their figures by ${JSON.stringify(beyond)}`);
+  await page.emulateMedia({media: null});
+}
+
 async function storedResults(page) {
   const stored = path.join(folder, 'stored.json');
   fs.writeFileSync(stored, run(['fit', sample[0], '--models=c', '--radius=9.3 mm', '--format=json']));
@@ -345,7 +380,7 @@ async function main() {
   page.on('pageerror', error => told.push(error.message));
   await page.goto(address);
   await page.waitForFunction(() => window.explorer);
-  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, slidingCut, approachData, pullOff, storedResults])
+  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, slidingCut, approachData, pullOff, fittedToughness, printed, storedResults])
     await part(page).catch(error => failures.push(`${part.name}: ${error.stack}`));
   expect(told.length === 0, `the console says: ${told.join('; ')}`);
   console.log(`painted after ${paint.toFixed(0)} ms, ready after ${ready.toFixed(0)} ms`);

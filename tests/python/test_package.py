@@ -499,6 +499,15 @@ def test_plots_tell_runs_apart():
         pyplot.close("all")
 
 
+def test_plots_of_toughness_are_over_the_toughness_that_was_fitted(root):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    data = mixity.read(root / "data/im7_8552_mmb.csv")
+    fit = mixity.fit(data, "quadratic", free="toughness", checks=False)["quadratic"]
+    drawn = [one for one in fit.plot_toughness().lines if one.get_linestyle() == "None"][0].get_ydata()
+    assert np.allclose(drawn, data.toughness_ratio * 324 / fit.params["toughness"].value)  # stated in N/mm, shown in J/m^2
+    pyplot.close("all")
+
+
 def test_ctrl_c_stops_a_fit_of_a_typed_criterion_wherever_it_is(root):
     data = mixity.read(root / "data/mergel2018.csv")
     criterion = mixity.Law("(K_I^2)^m + (K_II^2/r)^n = 1", m=(0.5, 2), r=(0.5, 5), n=(0.5, 2))

@@ -13,6 +13,7 @@
 #include "dataset/logs/coarse_lag.h"
 #include "dataset/logs/contacts.h"
 #include "dataset/table/column_names.h"
+#include "dataset/table/mapped_columns.h"
 #include "dataset/table/several_tables.h"
 #include "statistics/noise.h"
 #include "statistics/readings.h"

@@ -36,15 +36,8 @@ struct ColumnRules {
 std::vector<NamedColumn> name_columns(const std::string& path, const std::vector<Heading>& headings,
                                       const ColumnRules& rules);
 
-/// The quantities of the mapping whose columns are in the table. A number of a column is in it if its unit fits.
-std::vector<ColumnId> mapped_in(const std::vector<Heading>& headings, const ColumnRules& rules);
-
 /// The named columns whose fields must be numbers; none if name_columns throws, as it will when the table is read.
 std::vector<NamedColumn> number_columns(const std::string& path, const std::vector<Heading>& headings,
                                         const ColumnRules& rules);
-
-/// The heading and unit of a named column as a mapping finds it in another table with these headings; its number and
-/// unit if no heading would be understood.
-std::string mapped_as(const NamedColumn& column, const std::vector<Heading>& headings);
 
 }  // namespace mixity

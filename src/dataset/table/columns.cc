@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/table/column_advice.h"
+#include "dataset/table/mapped_columns.h"
 #include "dataset/table/number.h"
 
 namespace mixity {

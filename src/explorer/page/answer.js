@@ -1,5 +1,5 @@
 // How a file was read, in sentences; a fit as HTML: the answer first, then every model.
-import {shown} from './charts.js';
+import {shown, squared} from './charts.js';
 
 export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
 export const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
@@ -11,11 +11,11 @@ export function howRead(told, from, whole, hidden) {
   const sentences = [told.notice, from].filter(Boolean);
   sentences.push(...told.taken);
   if (told.reading) sentences.push(`read as ${told.reading}`);
-  if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${told.units.area || 'no unit'}`);
+  if (told.runs) sentences.push(`loads in ${told.units.force || 'no unit'}, areas in ${squared(told.units.area || 'no unit')}`);
   if (told.ignored.length) sentences.push(`not used: ${told.ignored.join(', ')}`);
   if (!whole) return sentences;
   sentences.push(...told.notes);
-  for (const [name, text] of Object.entries(told.constants)) if (hidden(name)) sentences.push(`${name} = ${text.shown}`);
+  for (const [name, text] of Object.entries(told.constants)) if (hidden(name)) sentences.push(`${name} = ${squared(text.shown)}`);
   for (const one of told.excluded) sentences.push(`${one.where} left out: ${one.reason}`);
   if (told.excluded_count > told.excluded.length) sentences.push(`and ${told.excluded_count - told.excluded.length} more lines`);
   return sentences;
@@ -34,7 +34,7 @@ function budget(parts) {
 function jumps([headings, ...rows]) {
   if (!rows.length) return '';
   return `<div class="scroll"><table class="jumps"><caption>Where the contact jumps, ± one standard error</caption>
-    <thead><tr>${headings.map(cell => `<th scope="col">${escape(cell)}</th>`).join('')}</tr></thead>
+    <thead><tr>${headings.map(cell => `<th scope="col">${escape(squared(cell))}</th>`).join('')}</tr></thead>
     <tbody>${rows.map(row => `<tr>${row.map(cell => `<td>${escape(cell)}</td>`).join('')}</tr>`).join('')}</tbody></table>
     ${copyHtml([headings, ...rows].map(row => row.join('\t')).join('\n'), 'the table of jumps')}</div>`;
 }

@@ -22,6 +22,8 @@ export const fonts = () => getComputedStyle(document.body).fontFamily.replaceAll
 export const star = 'path://M0-10L2.9-4L9.5-3.1L4.8 1.5L5.9 8.1L0 5L-5.9 8.1L-4.8 1.5L-9.5-3.1L-2.9-4Z';
 export const degrees = psi => psi * 180 / Math.PI;
 export const shown = (value, digits = 4) => value === 0 ? '0' : Number(value.toPrecision(digits)).toString();
+/// mm^2 as mm².
+export const squared = text => text.replaceAll('^2', '²');
 
 /// All properties of an axis, since one that changes its type loses earlier settings.
 export function axis(name, extra) {
@@ -33,14 +35,17 @@ export function axis(name, extra) {
   };
 }
 
-/// A figure in the element `id` with axes of these names: {x: {name, min, ...}, y: {...}}.
+/// The top of the plot: below the key and a row for the text of each dashed line that can be dragged.
+const topOf = ({rows = 0}) => 34 + 17 * rows;
+
+/// A figure in the element `id` with axes of these names: {x: {name, min, ...}, y: {...}}. `more.rows`: dashed lines with a text.
 export function figure(id, axes, more = {}) {
   const element = document.getElementById(id);
   const chart = echarts.init(element, null, {renderer: 'canvas'});
   const entry = {chart, axes, more, hovers: new Map(), handles: new Map()};  // hovers: what a series says of its points, point => HTML
   const frame = () => ({
     animation: false, textStyle: {fontFamily: fonts()},
-    grid: {left: 62, right: 16, top: 34, bottom: 46, ...more.grid},
+    grid: {left: 62, right: 16, top: topOf(more), bottom: 46, ...more.grid},
     legend: {top: 0, formatter: name => brief(name, element.clientWidth), textStyle: {color: token('--ink')}, type: 'scroll', itemGap: 14, itemWidth: 16, itemHeight: 11, pageTextStyle: {color: token('--ink')}, pageIconColor: token('--ink'), pageIconInactiveColor: token('--line'), ...more.legend},
     tooltip: {trigger: 'item', confine: true, formatter: one => entry.hovers.get(one.seriesId)?.(one.dataIndex) ?? told(one)},
     dataZoom: [{type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'shift', moveOnMouseWheel: false, filterMode: 'none'},
@@ -107,7 +112,7 @@ function drawNext() {
 /// A dashed line at x that can be dragged; calls `moved(x)` unless it hardly moved. `says`: the text beside it. It is no
 /// part of the figure, so that moving it draws nothing else again. A line that is being dragged stays where it is.
 export function handle(entry, id, x, moved, says = '', tint = token('--alert')) {
-  const {chart, handles} = entry, place = chart.convertToPixel({xAxisIndex: 0}, x), bottom = 46, top = 34;
+  const {chart, handles} = entry, place = chart.convertToPixel({xAxisIndex: 0}, x), bottom = 46, top = topOf(entry.more);
   let line = handles.get(id);
   if (line?.held) return;
   if (!line) {
@@ -126,8 +131,8 @@ export function handle(entry, id, x, moved, says = '', tint = token('--alert')) 
   line.says = says;
   line.getTextContent().attr({style: {text: says, fill: tint, font: `12px ${fonts()}`, backgroundColor: token('--paper'),
     padding: [1, 3], align: right ? 'right' : 'left', verticalAlign: 'top'}});
-  // each text in a row of its own: on a phone two do not stand beside each other
-  line.setTextConfig({position: [right ? -6 : 6, 2 + 17 * [...handles.keys()].indexOf(id)], local: true});
+  // above the plot, where no points are, each in a row of its own: on a phone two do not stand beside each other
+  line.setTextConfig({position: [right ? -6 : 6, -17 * ([...handles.keys()].indexOf(id) + 1)], local: true});
   line.dropped = () => {
     if (Math.abs(line.x - place) < 3) entry.resized?.();
     else moved(chart.convertFromPixel({xAxisIndex: 0}, line.x));

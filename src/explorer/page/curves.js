@@ -13,7 +13,14 @@ export function drawCurve(models, name) {
   }[name];
   const behind = name === 'area' ? measuredNear(models.measured, state.P) : null;
   models.figures[name].draw([...there.flatMap(one => series[name](one, models.title(one.model), color(models.tint(one.model)), state)), ...(behind ? [behind] : [])],
-    `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: [...names, ...(behind ? [behind.name] : [])]}});
+    `${what} for ${names.join(', ') || 'no model'}`, {legend: {data: [...names, ...(behind ? [behind.name] : [])]}, ...(name === 'area' ? {xAxis: {max: mostShear(behind, there, state)}} : {})});
+}
+
+/// Where points are shown, T ends a little beyond them, the jumps and the slider's T, and not where the last curve ends.
+function mostShear(behind, there, {T}) {
+  if (!behind) return null;
+  const jumps = there.flatMap(one => one.folds.map(fold => fold.T));
+  return Number((1.2 * Math.max(Math.abs(T), ...behind.data.map(([at]) => at), ...jumps)).toPrecision(2));
 }
 
 /// The points of the user's run with the load nearest to P, if there is one.

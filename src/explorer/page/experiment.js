@@ -1,6 +1,5 @@
 // A user's files: read, cut if they are logs, confirmed, cropped, fitted, saved.
 import {answerHtml, buttonsHtml, escape, howRead, list, modelsHtml, named} from './answer.js';
-import {shown} from './charts.js';
 import {Cuts} from './cuts.js';
 import {besideOf, copied, cropped, offer, parted, ranges} from './files.js';
 import {FitFigures} from './fit_figures.js';
@@ -259,7 +258,7 @@ export class Experiment {
     this.lines = lines;
     showOptions(this);
     const selected = this.selected();
-    $('run').innerHTML = (told.runs ?? []).map((run, i) => `<option value="${i}">${escape(run.name || `${told.held.name} = ${shown(run.P)}`)}</option>`).join('');
+    $('run').innerHTML = (told.runs ?? []).map((_, i) => `<option value="${i}">${escape(this.figures.runTitle(i))}</option>`).join('');
     if (selected < this.kept.length) $('run').value = String(selected);
     $('measured').hidden = false;
     $('crop').hidden = !told.runs?.length;

@@ -1,24 +1,24 @@
 // The figures of the user's file: all runs with a model, its residuals and axes, and one run point by point, for cropping.
 import {escape, named} from './answer.js';
 import {among, lineText} from './files.js';
-import {areas, color, colorOfModel, degrees, figure, handle, inTurn, line, lookOfRun, marks, ownColor, removeHandles, shown, star} from './charts.js';
+import {areas, color, colorOfModel, degrees, figure, handle, inTurn, line, lookOfRun, marks, ownColor, removeHandles, shown, squared, star} from './charts.js';
 import {laws} from './laws.js';
 
 const $ = id => document.getElementById(id);
 const every = 'all';  // the choice of all models at once
-const inBrackets = (name, unit) => unit ? `${name} (${unit.replace('^2', '²')})` : name;
-const withUnit = (value, unit) => `${value}${unit && ` ${unit.replace('^2', '²')}`}`;
+const inBrackets = (name, unit) => unit ? `${name} (${squared(unit)})` : name;
+const withUnit = (value, unit) => `${value}${unit && ` ${squared(unit)}`}`;
 
 /// `experiment`: what was read (told), which points are kept of each run, what was fitted (result).
 export class FitFigures {
   constructor(experiment) {
     this.experiment = experiment;
     const about = {stem: () => experiment.stem(), lines: () => this.about()};
-    this.all = figure('chart-fit', {x: {name: 'T', min: 0}, y: {name: 'A', min: 0}}, {about});
+    this.all = figure('chart-fit', {x: {name: 'T', min: 0}, y: {name: 'A', min: 0}}, {rows: 1, about});
     this.residuals = figure('chart-residuals', {x: {name: 'T', min: 0}, y: {name: 'residual'}}, {about, legend: {show: false}, grid: {top: 14}});
     this.axes = figure('chart-axes', {x: {name: 'T', min: 0}, y: {name: 'a/b'}}, {about});
     this.pullOff = figure('chart-pull-off', {x: {name: 'T', min: 0}, y: {name: 'P'}}, {about});
-    this.run = figure('chart-run', {x: {name: 'point'}, y: {name: 'T'}, y2: {name: 'A'}}, {grid: {right: 62}, about});
+    this.run = figure('chart-run', {x: {name: 'point'}, y: {name: 'T'}, y2: {name: 'A'}}, {rows: 2, grid: {right: 62}, about});
     this.all.resized = () => this.placeEnd();
     this.run.resized = () => this.placeRunHandles();
     this.model = $('drawn-model');
@@ -72,7 +72,7 @@ export class FitFigures {
     const {experiment} = this, {result, told} = experiment, fits = result?.fits.datasets[0].fits ?? [];
     const of = fits.filter(fit => this.chosenModels().some(({model}) => model === fit.model)).map(fit => `${this.title(fit)}${laws[fit.model] ? `, ${laws[fit.model].name}` : ''}: ` +
       Object.entries(fit.parameters).map(([name, p]) => `${name.replace('lambda', 'λ')} = ${p.value === null ? 'unknown' : shown(p.value, 5)}${p.stderr ? ` ± ${shown(p.stderr, 2)}` : ''}${p.unit ? ` ${p.unit}` : ''}`).join(', ') + ` (${fit.status.replaceAll('_', ' ')})`);
-    const constants = Object.entries({R: 'radius', 'E*': 'modulus', G_Ic: 'toughness'}).filter(([, name]) => told?.constants[name]).map(([short, name]) => `${short} = ${told.constants[name].shown.replaceAll('^2', '²')}`);
+    const constants = Object.entries({R: 'radius', 'E*': 'modulus', G_Ic: 'toughness'}).filter(([, name]) => told?.constants[name]).map(([short, name]) => `${short} = ${squared(told.constants[name].shown)}`);
     return [experiment.name + (told?.notice ? ' (reconstructed, not measured)' : ''), ...of, constants.join(', ')];
   }
 
@@ -81,6 +81,12 @@ export class FitFigures {
     const {told} = this.experiment, {name: held, unit} = told.held, name = k => withUnit(`${held} = ${shown(told.runs[k].P)}`, unit);
     const twice = told.runs.some((_, k) => k !== i && name(k) === name(i));
     return twice && told.runs[i].name ? `${name(i)} (${told.runs[i].name})` : name(i);
+  }
+
+  /// The same with the run's own name, unless that is the load, too.
+  runTitle(i) {
+    const {name} = this.experiment.told.runs[i], title = this.runName(i);
+    return !name || title.endsWith(`(${name})`) || /^P ?= ?[-\d.e]+ \S/.test(name) ? title : `${title} (${name})`;
   }
 
   /// What is said of the point k of the run i.
@@ -129,14 +135,15 @@ export class FitFigures {
   tint({model}) { return color(colorOfModel[model.replace(/-ellipse.*/, '')] ?? ownColor); }
 
   drawEnergies(models) {
-    const {told} = this.experiment, {psi, f} = told.energies, word = told.notice ? 'reconstructed' : 'measured';
+    const {told} = this.experiment, {psi} = told.energies, word = told.notice ? 'reconstructed' : 'measured', over = models[0]?.over ?? [];
+    const f = told.energies.f.map((ratio, i) => ratio * (over[i] ?? 1)), by = over.some(factor => factor !== 1) ? ` Points are over the toughness that ${this.title(models[0])} found.` : '';
     const series = [marks('points', word, psi.map((x, i) => [degrees(x), f[i]]), color(0), 'circle', {hover: k => `${escape(lineText(told.energies.lines[k], told.files))}<br>ψ = ${shown(degrees(psi[k]), 4)}°, Gc/GIc = ${shown(f[k], 4)}`})];
     const most = 1.5 * Math.max(...f);
     for (const model of models) series.push(line(`law-${model.model}`, this.title(model), model.toughness.filter(([, y]) => y <= most).map(([x, y]) => [degrees(x), y]), this.tint(model)));
     this.all.draw(series, 'Measured toughness against phase angle, and the models',
       {legend: {data: series.map(one => one.name)}, xAxis: {name: 'ψ (°)', min: 0, max: 90}, yAxis: {name: 'Gc/GIc', min: 0, max: null}});
     removeHandles(this.all);
-    $('caption-fit').textContent = `${word.replace(/^./, first => first.toUpperCase())} toughness and the laws of the models.`;
+    $('caption-fit').textContent = `${word.replace(/^./, first => first.toUpperCase())} toughness and the laws of the models.${by}`;
   }
 
   drawResiduals() {
@@ -214,7 +221,7 @@ export class FitFigures {
   /// The chosen run and the points that are kept of it; null if there is none.
   chosen() {
     const {told, kept, whole} = this.experiment, at = this.experiment.selected(), run = whole && told?.runs?.[at];
-    return run && kept?.length ? {run, first: kept[at][0], last: kept[at][1], name: run.name ? `run ${run.name}` : this.runName(at), tint: lookOfRun(at).color} : null;
+    return run && kept?.length ? {run, first: kept[at][0], last: kept[at][1], name: this.runName(at), tint: lookOfRun(at).color} : null;
   }
 
   /// Two marks in the figure of the run.

@@ -94,7 +94,7 @@ export class RegimeMap {
     const outlines = areas(regions.map(({regime, outline}) => ({name: regime, outline: outline.map(([P, at]) => [P * unit, at]), color: tint(regime), opacity})));
     const here = marks('here', `${title} here`, state.off.has(model) ? [] : [[state.P, value]], color(0), 'circle', {itemStyle: {color: color(0)}});
     this.figure.draw([...outlines, here], `Regimes of ${title} by load and ${name}: ${regimes.join(', ')}`, {
-      legend: {data: regimes}, xAxis: {min: P_low * unit, max: Number((P_most * unit).toPrecision(2))},
+      legend: {data: regimes}, xAxis: {min: P_low * unit, max: Number((P_most * unit).toPrecision(2)), axisLabel: {showMinLabel: false}},
       yAxis: axis(name, {nameGap: 44, type: logarithmic ? 'log' : 'value', min: low, max: high}),
     });
   }

@@ -122,7 +122,9 @@ def toughness(fit: Any, ax: Axes | None = None) -> Axes:
     data = fit.data
     colour, line = _style(fit)
     psi = np.linspace(0, np.nanmax(data.psi) * 1.01, 300)
-    _draw_runs(ax, data, np.degrees(data.psi), data.toughness_ratio, data.run_of_point)
+    # over the toughness that was fitted, where one was
+    ratio = data.toughness_ratio * fit._fits._results.over_fitted_toughness(fit._index)[data.run_of_point]
+    _draw_runs(ax, data, np.degrees(data.psi), ratio, data.run_of_point)
     lam = tuple(fit.params[name].value for name in parameter_names(fit.model))
     interval = next(iter(fit.params.values())).interval
     if interval and None not in interval:

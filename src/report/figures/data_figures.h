@@ -1,6 +1,7 @@
 // The figures that apply to one data set and its fits, and the reasons why others are left out.
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct DataFigures {
 };
 
 DataFigures data_figures(const ReportedData& data);
+
+/// Figures have phase angles in degrees, files in radians.
+inline double degrees(double psi) { return psi * 180 / std::numbers::pi; }
 
 /// The indices 0 to n - 1.
 std::vector<std::size_t> first_indices(std::size_t n);
@@ -61,8 +65,8 @@ std::vector<Figure> behaviour_figures(const ReportedData& data);
 std::vector<Figure> regime_figures(const ReportedData& data, std::vector<MissingFigure>& left_out);
 /// alpha against A0 with the exponents -5/4 and -3/2.
 std::vector<Figure> sahli_figures(const ReportedData& data);
-/// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them; at most eight. Adds what was read
-/// and what is left out.
+/// T(t) of the log's runs with maxima and minima (Fig. 2), as `mixity runs` drew them; at most eight. Adds what was
+/// read and what is left out.
 std::vector<Figure> kept_log_figures(const ReportedData& data, DataFigures& all);
 /// T/A_Hertz against P at peak and minimum (Fig. 11), with the jump that each model predicts.
 std::vector<Figure> peak_figures(const ReportedData& data);

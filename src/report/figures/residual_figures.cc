@@ -82,8 +82,8 @@ std::vector<Figure> residual_figures(const ReportedData& reported) {
   for (const FitResult& fit : reported.result.fits)
     for (std::size_t k = 0; angles && k < fit.residuals.size(); ++k) angles = data.toughness(fit.used[k]).has_value();
   if (angles)
-    figures.push_back(residuals_against(reported, "psi", "Residuals against phase angle", "ψ [rad]",
-                                        [&](std::size_t i) { return data.toughness(i)->psi(); }));
+    figures.push_back(residuals_against(reported, "psi", "Residuals against phase angle", "ψ [°]",
+                                        [&](std::size_t i) { return degrees(data.toughness(i)->psi()); }));
   if (data.has_loads) {
     figures.push_back(residuals_against(reported, "T", "Residuals against tangential load", units.T(),
                                         [&](std::size_t i) { return data.points[i].shear() * units.force; }));

@@ -8,6 +8,14 @@
 #include "report/figures/data_figures.h"
 
 namespace mixity {
+namespace {
+
+Points in_degrees(Points curve) {
+  for (auto& point : curve) point.first = degrees(point.first);
+  return curve;
+}
+
+}  // namespace
 
 std::vector<Figure> toughness_figures(const ReportedData& reported) {
   const Analysis& result = reported.result;
@@ -28,7 +36,7 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
       models.empty() ? std::vector<double>(data.curves.size(), 1) : over_fitted_toughness(data, *models.front().fit);
   const bool rescaled = std::any_of(over.begin(), over.end(), [](double one) { return one != 1; });
   for (const std::size_t i : shown) {
-    const double factor = over[data.points[i].curve], psi = data.toughness(i)->psi(),
+    const double factor = over[data.points[i].curve], psi = degrees(data.toughness(i)->psi()),
                  ratio = factor * data.toughness(i)->ratio, error = factor * data.errors_of(i).ratio;
     points.points.emplace_back(psi, ratio);
     points.hover.push_back(point_hover(data, i));
@@ -38,21 +46,21 @@ std::vector<Figure> toughness_figures(const ReportedData& reported) {
   for (const ModelCurves& model : reported.figured.models) {
     const std::string& key = model.fit->model;
     if (const auto& ends = model.toughness_band)
-      bands.insert(bands.begin(), band("", model_color(key), ends->first, ends->second));
+      bands.insert(bands.begin(), band("", model_color(key), in_degrees(ends->first), in_degrees(ends->second)));
     if (std::none_of(model.toughness.begin(), model.toughness.end(),
                      [](const auto& q) { return std::isfinite(q.second); }))
       continue;  // of ellipses, which have two phase angles
     const FittedParameter* leading = leading_parameter(*model.fit);
     lines.push_back(
         {"model " + key + (leading ? ", " + parameter_symbol(leading->name) + " = " + rounded(*leading->value, 4) : ""),
-         model_line(key), model_color(key), model.toughness});
+         model_line(key), model_color(key), in_degrees(model.toughness)});
   }
   if (lines.empty() && !reported.figured.models.empty()) return {};
   const double least = range.logarithmic ? 0.8 * range.least : std::max(0.0, 0.9 * range.least);
   Figure figure{
       .name = reported.stem + "_toughness",
       .title = "Toughness ratio against phase angle",
-      .x = {"ψ [rad]", 0.0, range.last_psi},
+      .x = {"ψ [°]", 0.0, range.last_psi > 0 ? degrees(range.last_psi) : 90},
       .y = {"f = G_c/G_{Ic}", least, range.most, range.logarithmic},
       .series = bands,
       .key_place = KeyPlace::top_left,

@@ -120,6 +120,9 @@ summary { cursor: pointer; }
   figure { padding: 1.5mm; border-radius: 0; }
   figure.wide { grid-column: auto; }
   figure.screen, .wide .broad { display: none; }
+  /* one alone in the last row has its caption beside it, which makes the row less high */
+  .figures > figure:nth-child(3n + 1 of :not(.screen)):nth-last-child(1 of :not(.screen)) { grid-column: 1 / -1; display: grid;
+    grid-template-columns: calc((100% - 5mm) / 3) 1fr; gap: 3mm; align-items: start; }
   .wide .narrow { display: block; }
   .wide .narrow svg { max-height: 58mm; }
   .fits td:nth-child(2) { min-width: 60mm; }

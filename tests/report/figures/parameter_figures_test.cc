@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "report/example_results.h"
 #include "report/figures/data_figures.h"
@@ -77,7 +78,8 @@ TEST(ResidualFigures, ShowTheResidualsOfTheFits) {
     ASSERT_EQ(series.points.size(), fit.residuals.size());
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       EXPECT_EQ(series.points[i].second, fit.residuals[i]);
-      EXPECT_EQ(series.points[i].first, reported.result.data.toughness(fit.used[i])->psi());
+      EXPECT_DOUBLE_EQ(series.points[i].first,
+                       reported.result.data.toughness(fit.used[i])->psi() * 180 / std::numbers::pi);
     }
   }
 }
@@ -120,14 +122,17 @@ TEST(ToughnessFigures, FollowThePrintedLawAndBandsTheIntervals) {
   const Figure figure = toughness_figures(reported).at(0);
   const FittedParameter& lambda = fit_of("waters_guduru2010", "c").parameters[0];
   const auto f = [](double l, double psi) { return 1 / (1 + (l - 1) * std::pow(std::sin(psi), 2)); };
+  EXPECT_EQ(figure.x.label, "ψ [°]");
   for (const Series& series : figure.series) {
     if (series.look == Look::solid) {
-      for (const auto& [psi, value] : series.points) EXPECT_NEAR(value, f(*lambda.value, psi), 1e-12);
+      for (const auto& [degrees, value] : series.points)
+        EXPECT_NEAR(value, f(*lambda.value, degrees * std::numbers::pi / 180), 1e-12);
     }
     if (series.look != Look::band || series.color != model_color("c")) continue;
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       // out at the low end of lambda (the tougher), back at the high end
-      const auto& [psi, value] = series.points[i];
+      const auto& [degrees, value] = series.points[i];
+      const double psi = degrees * std::numbers::pi / 180;
       const double low = f(*lambda.interval->low, psi), high = f(*lambda.interval->high, psi);
       EXPECT_LT(std::min(std::abs(value - low), std::abs(value - high)), 1e-12);
     }
