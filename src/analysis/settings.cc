@@ -237,6 +237,8 @@ const std::vector<Setting>& settings() {
       setting("lambda_prior", &FitOptions::lambda_prior,
               Choice<RangePrior>{{RangePrior::uniform, RangePrior::log_uniform}},
               "prior of lambda for evidence and credible interval: uniform or log_uniform"),
+      setting("lambda_prior_from", &FitOptions::lambda_prior_from, PositiveNumber{1},
+              "where a log-uniform prior of lambda begins (default 1e-6 of the largest lambda)"),
       setting("bootstrap", &BootstrapOptions::replicates, Whole{kMostReplicates},
               "refits of resampled points for bootstrap intervals"),
       setting("resample", &BootstrapOptions::resample, Choice<Resample>{{Resample::points, Resample::curves}},
@@ -306,6 +308,8 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
                          "cannot be t with per=curve, since each run would have its own t; use huber or cauchy"};
   if (options.loss_scale && (options.loss == Loss::none || options.loss == Loss::t))
     return Contradiction{"loss_scale", "needs loss=huber or cauchy"};
+  if (options.lambda_prior_from && options.lambda_prior != RangePrior::log_uniform)
+    return Contradiction{"lambda_prior_from", "needs lambda_prior=log_uniform"};
   const bool resampled = options.bootstrap.replicates > 0;
   for (const char* name : {"resample", "seed"})
     if (request.stated.contains(name) && !resampled) return Contradiction{name, "needs bootstrap"};

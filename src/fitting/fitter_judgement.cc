@@ -43,9 +43,15 @@ void Fitter::add_evidence(const Verdict& verdict) {
   const bool wanted = options_.intervals && !robust_;
   const FreeParameter& first = cost_->parameters()[0];
   if (!wanted || first.start || verdict.best.x.empty() || verdict.status == FitStatus::not_converged) return;
-  const EvidenceOptions choice{options_.lambda_prior, options_.confidence, problem_->known_errors() ? 0 : unit_};
+  std::optional<double> from;
+  if (options_.lambda_prior == RangePrior::log_uniform)
+    from = options_.lambda_prior_from.value_or(kLeastOfUpper * first.upper);
+  const EvidenceOptions choice{.prior = options_.lambda_prior,
+                               .confidence = options_.confidence,
+                               .from = from.value_or(0),
+                               .unit = problem_->known_errors() ? 0 : unit_};
   if (const auto found = evidence(*cost_, verdict.best, verdict.standard_errors[0], choice)) {
-    result_.evidence = {first.name, options_.lambda_prior, options_.confidence, *found};
+    result_.evidence = {first.name, options_.lambda_prior, from, options_.confidence, *found};
     result_.evidence->evidence.log_evidence -= result_.log_variances / 2;
   }
 }

@@ -65,8 +65,9 @@ struct FitOptions {
   bool intervals = true;
   double confidence = 0.95;
   bool checks = true;  // tests of consistency, and evidence; without them no fit is suspect
-  /// The prior of the model's first parameter, for evidence and credible interval.
+  /// The prior of the model's first parameter, for evidence and credible interval; where a log-uniform one begins.
   RangePrior lambda_prior = RangePrior::uniform;
+  std::optional<double> lambda_prior_from{};
   BootstrapOptions bootstrap{};    // replicates = 0: no bootstrap
   bool influence = false;          // of each point and run: jackknife, leverage, Cook's distance
   std::size_t profile_points = 0;  // per free parameter's drawn profile; 0: no profile

@@ -218,6 +218,7 @@ struct Explanation {
 struct ShownEvidence {
   std::string parameter;
   RangePrior prior;
+  std::optional<double> prior_from;  // where a log-uniform one begins
   double confidence;
   Evidence evidence;
 };

@@ -168,8 +168,9 @@ std::string posterior_line(const FitResult& fit) {
   return "posterior: " + fit.evidence->parameter + " = " + with_error(evidence.mean, evidence.standard_deviation) +
          ", " + rounded(100 * fit.evidence->confidence, 4) + "% credible " + resolved(evidence.low, width) + " .. " +
          resolved(evidence.high, width) + " (" +
-         (fit.evidence->prior == RangePrior::uniform ? "uniform" : "log-uniform") + " prior), ln evidence " +
-         rounded(evidence.log_evidence, 6);
+         (fit.evidence->prior_from ? "log-uniform prior from " + rounded(*fit.evidence->prior_from, 3)
+                                   : "uniform prior") +
+         "), ln evidence " + rounded(evidence.log_evidence, 6);
 }
 
 std::string unsheared_sentence(const UnshearedTest& test) {

@@ -77,6 +77,7 @@ void describe(Fields<ShownEvidence>& field) {
   };
   field("parameter", "the first free parameter", &ShownEvidence::parameter);
   field("prior", "prior of the parameter over its range", &ShownEvidence::prior);
+  field("prior_from", "where a log-uniform prior begins; null for a uniform one", &ShownEvidence::prior_from);
   field("log_evidence",
         "natural logarithm of the likelihood averaged over the priors, without factors that all models of the same "
         "points share",

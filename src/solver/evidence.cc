@@ -39,7 +39,8 @@ class LogDensity {
   double outer(double u) const { return logarithmic() ? std::exp(u) : u; }
   double lower() const {
     const FreeParameter& parameter = problem_.parameters()[0];
-    return logarithmic() ? std::log(kLeastOfUpper * parameter.upper) : parameter.lower;
+    return logarithmic() ? std::log(choice_.from > 0 ? choice_.from : kLeastOfUpper * parameter.upper)
+                         : parameter.lower;
   }
   double upper() const { return inner(problem_.parameters()[0].upper); }
   double start() const { return start_; }
@@ -262,6 +263,7 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
   const FreeParameter& parameter = problem.parameters()[0];
   if (!std::isfinite(parameter.width())) return std::nullopt;
   LogDensity density(problem, best, choice, options);
+  if (!(density.lower() < density.upper())) return std::nullopt;
   density.begin();
   const double peak = density(density.start());
   if (!std::isfinite(peak)) return std::nullopt;

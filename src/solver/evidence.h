@@ -12,6 +12,7 @@ namespace mixity {
 struct EvidenceOptions {
   RangePrior prior = RangePrior::uniform;  // of parameter 0
   double confidence = 0.95;
+  double from = 0;  // where a log-uniform prior begins
   /// Divisor of residuals whose size is unknown; averaged over with Jeffreys' prior 1/unit. 0: the residuals are in
   /// standard errors.
   double unit = 0;
@@ -19,8 +20,8 @@ struct EvidenceOptions {
 
 /// The evidence of a problem that includes its priors. Integrates over parameter 0 by quadrature, to 1e-6 (to 1e-3
 /// where the density has kinks), and over the others by Laplace's method at each value, with normal priors or uniform
-/// ones over their ranges. Null if the range or a cost is not finite, if there is no scatter, or if the quadrature does
-/// not converge. Needs about 12 to 70 profiled values.
+/// ones over their ranges. Null if the range is empty or not finite, if a cost is not finite, if there is no scatter,
+/// or if the quadrature does not converge. Needs about 12 to 70 profiled values.
 std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, std::optional<double> standard_error,
                                  const EvidenceOptions& choice, const SolverOptions& options = {});
 

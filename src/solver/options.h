@@ -91,8 +91,8 @@ struct BootstrapOptions {
   unsigned threads = 0;  // 0: as many as the machine has
 };
 
-/// uniform: over the parameter's range. log_uniform: uniform in its logarithm from kLeastOfUpper times the upper bound
-/// to that bound, for a parameter whose range starts at 0.
+/// uniform: over the parameter's range. log_uniform: uniform in its logarithm from what is stated, else kLeastOfUpper
+/// times the upper bound, to that bound, for a parameter whose range starts at 0.
 enum class RangePrior { uniform, log_uniform };
 constexpr std::string_view to_string(RangePrior prior) {
   return prior == RangePrior::uniform ? "uniform" : "log_uniform";

@@ -14,15 +14,37 @@ namespace mixity {
 namespace settings_test {
 
 /// A text that each option takes, none of them its default.
-const std::map<std::string_view, std::string_view> kTexts{
-    {"models", "bk,c-ellipse"}, {"objective", "toughness"},     {"scale", "linear"},  {"weighted", "true"},
-    {"sigma_T", "0.5%"},        {"sigma_A", "0.002 mm^2"},      {"loss", "huber"},    {"loss_scale", "1.5"},
-    {"hold", "r,eta=2"},        {"free", "load_offset"},        {"exclude", "4,7-9"}, {"leave_out", "P=3"},
-    {"interval", "none"},       {"confidence", "0.9"},          {"checks", "false"},  {"lambda_prior", "log_uniform"},
-    {"bootstrap", "20"},        {"resample", "curves"},         {"seed", "7"},        {"threads", "2"},
-    {"influence", "true"},      {"compare", "false"},           {"per", "curve"},     {"formats", "pdf,png"},
-    {"fitted_errors", "false"}, {"by_run", "toughness,lambda"}, {"drift", "modulus"}, {"unsheared", "own"},
-    {"tie", "lambda_III=0"},    {"sigma_factor", "free"}};
+const std::map<std::string_view, std::string_view> kTexts{{"models", "bk,c-ellipse"},
+                                                          {"objective", "toughness"},
+                                                          {"scale", "linear"},
+                                                          {"weighted", "true"},
+                                                          {"sigma_T", "0.5%"},
+                                                          {"sigma_A", "0.002 mm^2"},
+                                                          {"loss", "huber"},
+                                                          {"loss_scale", "1.5"},
+                                                          {"hold", "r,eta=2"},
+                                                          {"free", "load_offset"},
+                                                          {"exclude", "4,7-9"},
+                                                          {"leave_out", "P=3"},
+                                                          {"interval", "none"},
+                                                          {"confidence", "0.9"},
+                                                          {"checks", "false"},
+                                                          {"lambda_prior", "log_uniform"},
+                                                          {"bootstrap", "20"},
+                                                          {"resample", "curves"},
+                                                          {"seed", "7"},
+                                                          {"threads", "2"},
+                                                          {"influence", "true"},
+                                                          {"compare", "false"},
+                                                          {"per", "curve"},
+                                                          {"formats", "pdf,png"},
+                                                          {"fitted_errors", "false"},
+                                                          {"by_run", "toughness,lambda"},
+                                                          {"drift", "modulus"},
+                                                          {"unsheared", "own"},
+                                                          {"tie", "lambda_III=0"},
+                                                          {"sigma_factor", "free"},
+                                                          {"lambda_prior_from", "0.001"}};
 
 FitRequest with_all() {
   FitRequest request;
@@ -155,6 +177,8 @@ TEST(Settings, ThatDoNotGoTogetherAreNamed) {
   EXPECT_EQ(named({{"sigma_A", "1%"}, {"objective", "toughness"}}), "sigma_A");
   EXPECT_EQ(named({{"loss_scale", "2"}}), "loss_scale");
   EXPECT_EQ(named({{"loss_scale", "2"}, {"loss", "t"}}), "loss_scale");
+  EXPECT_EQ(named({{"lambda_prior_from", "0.01"}}), "lambda_prior_from");
+  EXPECT_EQ(named({{"lambda_prior_from", "0.01"}, {"lambda_prior", "log_uniform"}}), "");
   EXPECT_EQ(named({{"loss", "t"}, {"per", "curve"}}), "loss");
   EXPECT_EQ(named({{"seed", "2"}}), "seed");
   EXPECT_EQ(named({{"seed", "2"}, {"bootstrap", "10"}}), "");

@@ -187,6 +187,21 @@ TEST(FitStatistics, ADefinitionNamesItsObjectiveAndAFlagWins) {
   expect_refused({"fit", gone}, 3, gone + ":2:13: objective " + std::string(kGone));
 }
 
+TEST(FitStatistics, ALogUniformPriorSaysWhereItBegins) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", runs());
+  const Words words{path, "--models=c", "--lambda_prior=log_uniform"};
+  const Json evidence = fit_of(words)["fits"][0]["evidence"];
+  EXPECT_EQ(evidence["prior_from"], 1e-6);
+  Words with = words;
+  with.push_back("--lambda_prior_from=0.001");
+  const Json stated = fit_of(with)["fits"][0]["evidence"];
+  EXPECT_EQ(stated["prior_from"], 0.001);
+  // where the likelihood is negligible below it, the evidence grows as the range of ln lambda becomes smaller
+  EXPECT_NEAR(stated["log_evidence"].get<double>() - evidence["log_evidence"].get<double>(), std::log(2.0), 1e-6);
+  EXPECT_TRUE(fit_of({path, "--models=c"})["fits"][0]["evidence"]["prior_from"].is_null());
+}
+
 TEST(FitStatistics, BadFlagsAreOneLineAndExitTwo) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.csv", runs());

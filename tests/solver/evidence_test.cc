@@ -146,6 +146,16 @@ TEST(Evidence, WithALogUniformPriorIsUniformInTheLogarithm) {
   expect_same(found(line, {.prior = RangePrior::log_uniform}), expected, 4e-6);
 }
 
+TEST(Evidence, ALogUniformPriorBeginsWhereItIsStatedTo) {
+  const Line line(0, 1, 0, true, 3);
+  const auto likelihood = [&](double x) { return -0.5 * cost(line, {x}); };
+  const Evidence expected = summed(
+      likelihood, std::log(1e-3), 0, [](double u) { return std::exp(u); }, 4000000);
+  expect_same(found(line, {.prior = RangePrior::log_uniform, .from = 1e-3}), expected, 4e-6);
+  const Verdict verdict = solve(line);
+  EXPECT_FALSE(evidence(line, verdict.best, verdict.standard_errors[0], {.prior = RangePrior::log_uniform, .from = 1}));
+}
+
 /// With a normal prior and a residual linear in the offset, Laplace's method is exact.
 TEST(Evidence, OverAConstantWithAPriorIsThatOfTheDoubleIntegral) {
   const Line line(0, 2, 0.05, true, 0.5);
