@@ -190,7 +190,7 @@ function logOf(rows, loads) {
 }
 
 /// Fits, and moves a slider meanwhile. The longest task of the page's main thread is measured on the thread's own clock,
-/// since other programs of the machine take its time, too.
+/// since other programs of the machine take its time, too; some events have only their time by the wall clock.
 async function watchedFit(page) {
   const browser = page.context().browser();
   await browser.startTracing(page, {categories: ['toplevel']});
@@ -207,7 +207,7 @@ async function watchedFit(page) {
   while (await part() !== false) await page.keyboard.press('ArrowLeft');
   const {traceEvents} = JSON.parse((await browser.stopTracing()).toString()), fit = Date.now() - begin;
   const mains = traceEvents.filter(({name, args}) => name === 'thread_name' && args.name === 'CrRendererMain').map(({pid, tid}) => `${pid}:${tid}`);
-  const times = traceEvents.filter(({name, ph, pid, tid}) => /RunTask$/.test(name) && ph === 'X' && mains.includes(`${pid}:${tid}`)).map(({tdur}) => tdur / 1000);
+  const times = traceEvents.filter(({name, ph, pid, tid}) => /RunTask$/.test(name) && ph === 'X' && mains.includes(`${pid}:${tid}`)).map(({tdur, dur}) => (tdur ?? dur) / 1000).filter(Number.isFinite);  // one that is under way has no end
   await idle(page);
   return {fit, parts: await page.evaluate(() => window.parts.size), tasks: times.length, longest: Math.max(...times), points: await page.evaluate(() => window.explorer.experiment.told.points)};
 }
