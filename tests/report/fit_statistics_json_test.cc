@@ -22,7 +22,7 @@ using Names = std::vector<std::string>;
 /// What `mixity fit --objective=curve --free=toughness --per=curve --models=a,c` computes.
 Analysis whole_request() {
   Analysis result;
-  SeededNoise noise(1, 0.005);
+  SeededNoise noise(2, 0.005);
   result.data = synthetic_runs("c", {0.2}, {1, 5, 20}, 10, 0.8, noise);
   result.data.display = {"mN", "mm^2", "", 0.25, 0.01};
   result.request.models = {"a", "c"};
