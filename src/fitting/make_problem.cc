@@ -62,12 +62,11 @@ std::vector<MeasuredAxes> loads_beside(const Dataset& data, const PreparedFit& p
   return list;
 }
 
-/// The first of these indices, if they are consecutive points of the data set.
-std::optional<std::size_t> first_of_consecutive(std::span<const std::uint32_t> indices, const PointIndices& used) {
-  if (!used.are_first() || indices.empty()) return std::nullopt;
-  bool consecutive = true;
+/// Whether these indices are consecutive points of the data set.
+bool are_consecutive(std::span<const std::uint32_t> indices, const PointIndices& used) {
+  bool consecutive = used.are_first() && !indices.empty();
   for (std::size_t k = 0; k < indices.size(); ++k) consecutive &= indices[k] == indices[0] + k;
-  return consecutive ? std::optional<std::size_t>(indices[0]) : std::nullopt;
+  return consecutive;
 }
 
 /// The points' loads and areas; standard errors are 1 if not needed, so that residuals keep their unit. The data set
@@ -88,10 +87,11 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
       const bool reversed = !data.shear_reversed.empty(), places_known = has_near();
       const std::size_t n = indices.size();
-      const auto first = first_of_consecutive(indices, used);
+      const bool consecutive = are_consecutive(indices, used);
+      const std::size_t first = consecutive ? indices[0] : 0;
       const auto each = [&](const auto& use) {  // use(k, point)
-        if (first)
-          for (std::size_t k = 0; k < n; ++k) use(k, *first + k);
+        if (consecutive)
+          for (std::size_t k = 0; k < n; ++k) use(k, first + k);
         else
           for (std::size_t k = 0; k < n; ++k) use(k, used[indices[k]]);
       };
@@ -102,8 +102,8 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
         to.A[k] = point.A;
       });
       const auto copy = [&](const std::vector<double>& list, std::span<double> array) {
-        if (first)
-          std::copy_n(list.data() + *first, n, array.data());
+        if (consecutive)
+          std::copy_n(list.data() + first, n, array.data());
         else
           for (std::size_t k = 0; k < n; ++k) array[k] = list[used[indices[k]]];
       };
