@@ -239,14 +239,9 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   }
   const PointArrays arrays = workspace.points(n);
   points.fill(Indices(*this, begin, n).list, arrays);
-  if (from && order_.empty()) {
-    std::copy_n(from->T.data() + begin, n, arrays.near_T.data());
-    std::copy_n(from->A.data() + begin, n, arrays.near_A.data());
-  } else if (from) {
-    for (std::size_t i = 0; i < n; ++i) {
-      arrays.near_T[i] = from->T[index_of(begin + i)];
-      arrays.near_A[i] = from->A[index_of(begin + i)];
-    }
+  for (std::size_t i = 0; from && i < n; ++i) {
+    arrays.near_T[i] = from->T[index_of(begin + i)];
+    arrays.near_A[i] = from->A[index_of(begin + i)];
   }
   const bool varies = varies_ || has_changes(constants), near = arrays.near_A[0] > 0;
   if (near && out.place_A.empty()) {

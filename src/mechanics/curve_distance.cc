@@ -28,7 +28,7 @@ class Distances {
     const std::size_t n = points_.P.size();
     for (std::size_t from = 0; from < n; from += kBlock) {
       const std::size_t count = std::min(kBlock, n - from);
-      if (!take_points(from, count)) return false;
+      if (!set_points(block_, points_, from, count)) return false;
       if (begin_nearby(from, count))
         run_block<Begin::nearby>(family_, kSteps, true, block_, result_);
       else
@@ -55,17 +55,6 @@ class Distances {
   }
 
  private:
-  /// False if a point cannot be a measured one.
-  bool take_points(std::size_t from, std::size_t count) {
-    if (count == kBlock) {
-      const PointsFrom points(points_, from);
-      return MIXITY_HAS_WIDE ? fill_by_four(points, block_) : fill_by_two(points, block_);
-    }
-    if (!valid(points_, from, count)) return false;
-    set_points(block_, points_, from, count);
-    return true;
-  }
-
   /// A point that remains after the first pass, and the nearest point of the curve found for it.
   struct Left {
     std::size_t index;

@@ -169,6 +169,18 @@ class EnergyCurve {
         least = square(target, best);
       }
     }
+    const auto pass = [&](const Nearest& here) {  // to the next place
+      const double next = half_slope(target, here);
+      if (slope < 0 && next >= 0) {
+        const Nearest inside = between(target, *before, here, slope, next);
+        if (const double found = square(target, inside); found < least) {
+          best = inside;
+          least = found;
+        }
+      }
+      before = &here;
+      slope = next;
+    };
     // From a corner the law may lead away and then along the point before the first node: twice the slope changes sign.
     std::array<Nearest, kBesideCorner> beside;
     if (!has_tangent()) {
@@ -178,30 +190,14 @@ class EnergyCurve {
         const double B = own * share * share;
         if (!(B > before->B && B < node(1).B)) continue;
         here = at(B);
-        const double next = half_slope(target, here);
-        if (slope < 0 && next >= 0) {
-          const Nearest inside = between(target, *before, here, slope, next);
-          if (const double found = square(target, inside); found < least) {
-            best = inside;
-            least = found;
-          }
-        }
-        before = &here;
-        slope = next;
+        pass(here);
       }
     }
     for (int i = 1; i <= kNodes; ++i) {
       const Nearest& here = node(i);
       if (!std::isfinite(here.G_II + here.d_I + here.d_II)) break;
-      const double next = half_slope(target, here);
-      if (slope < 0 && next >= 0) {
-        const Nearest inside = between(target, *before, here, slope, next);
-        if (const double found = square(target, inside); found < least) {
-          best = inside;
-          least = found;
-        }
-      }
-      if (i == kNodes && next < 0) {
+      pass(here);
+      if (i == kNodes && slope < 0) {
         Nearest end = here;
         if (const double h = law_.shear_term(p_, 0.0, 1.0).value; h > 0) end.B = 1, end.G_I = 0, end.G_II = 1 / h;
         if (const double found = square(target, end); found < least) {
@@ -209,8 +205,6 @@ class EnergyCurve {
           best.at_end = true;
         }
       }
-      before = &here;
-      slope = next;
     }
     return best;
   }

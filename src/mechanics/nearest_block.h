@@ -1,7 +1,9 @@
 // The stages of nearest_newton.h and nearest_proof.h applied to a block of measured points.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 
 #include "mechanics/nearest_proof.h"
 #include "mechanics/states.h"
@@ -65,15 +67,13 @@ void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Bloc
 /// All bits set if true: comparisons of doubles that are joined by & and | become vectors.
 MIXITY_LOOP std::int64_t mask(bool is) { return is ? -1 : 0; }
 
-/// The arrays of measured points from one on.
-struct PointsFrom {
-  PointsFrom(const PlanePoints& of, std::size_t from)
-      : P(&of.P[from]), T(&of.T[from]), A(&of.A[from]), sigma_T(&of.sigma_T[from]), sigma_A(&of.sigma_A[from]) {}
+/// The arrays of as many measured points as a block has slots.
+struct BlockArrays {
   const double *P, *T, *A, *sigma_T, *sigma_A;
 };
 
-/// Fills all slots. False if a point cannot be a measured one, as valid() has it.
-MIXITY_LOOP bool fill_slots(const PointsFrom points, Block& __restrict block) {
+/// Fills all slots. False if a point cannot be a measured one.
+MIXITY_LOOP bool fill_slots(const BlockArrays points, Block& __restrict block) {
   constexpr double kFinite = std::numeric_limits<double>::max();
   std::int64_t all = -1;
   for (std::size_t i = 0; i < kBlock; ++i) {
@@ -92,8 +92,8 @@ MIXITY_LOOP bool fill_slots(const PointsFrom points, Block& __restrict block) {
   }
   return all != 0;
 }
-inline bool fill_by_two(const PointsFrom& points, Block& __restrict block) { return fill_slots(points, block); }
-[[gnu::flatten]] MIXITY_WIDE inline bool fill_by_four(const PointsFrom& points, Block& __restrict block) {
+inline bool fill_by_two(const BlockArrays& points, Block& __restrict block) { return fill_slots(points, block); }
+[[gnu::flatten]] MIXITY_WIDE inline bool fill_by_four(const BlockArrays& points, Block& __restrict block) {
   return fill_slots(points, block);
 }
 
@@ -108,18 +108,6 @@ MIXITY_LOOP bool begin_slots(const double* __restrict T, const double* __restric
   return all != 0;
 }
 
-/// Whether these points can be measured ones. Without branches, so that the loop is vectorised.
-inline bool valid(const PlanePoints& points, std::size_t from, std::size_t count) {
-  constexpr double kFinite = std::numeric_limits<double>::max();
-  const auto positive = [](double x) { return (x > 0) & (x <= kFinite); };
-  bool all = true;
-  for (std::size_t i = from; i < from + count; ++i)
-    all &= (std::abs(points.P[i]) <= kLargestLoad) & (above_pull_off(points.P[i]) >= 0) &
-           (std::abs(points.T[i]) <= kLargestLoad) & positive(points.A[i]) & positive(points.sigma_T[i]) &
-           positive(points.sigma_A[i]);
-  return all;
-}
-
 inline void set_point(Block& block, std::size_t slot, const PlanePoints& points, std::size_t i) {
   block.P[slot] = points.P[i];
   block.T_point[slot] = std::abs(points.T[i]);
@@ -130,12 +118,19 @@ inline void set_point(Block& block, std::size_t slot, const PlanePoints& points,
   block.per_A[slot] = 1 / points.sigma_A[i];
 }
 
-/// Fills a block with `count` points; the idle slots repeat the last.
-inline void set_points(Block& block, const PlanePoints& points, std::size_t from, std::size_t count) {
-  if (count == kBlock)
-    for (std::size_t slot = 0; slot < kBlock; ++slot) set_point(block, slot, points, from + slot);
-  else
-    for (std::size_t slot = 0; slot < kBlock; ++slot) set_point(block, slot, points, from + std::min(slot, count - 1));
+/// Fills a block with `count` points; the idle slots repeat the last. False if a point cannot be a measured one.
+inline bool set_points(Block& block, const PlanePoints& points, std::size_t from, std::size_t count) {
+  const std::span<const double> lists[] = {points.P, points.T, points.A, points.sigma_T, points.sigma_A};
+  std::array<Packed, std::size(lists)> repeated;
+  std::array<const double*, std::size(lists)> arrays;
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    arrays[k] = &lists[k][from];
+    if (count == kBlock) continue;
+    for (std::size_t slot = 0; slot < kBlock; ++slot) repeated[k][slot] = lists[k][from + std::min(slot, count - 1)];
+    arrays[k] = repeated[k].data();
+  }
+  const BlockArrays all{arrays[0], arrays[1], arrays[2], arrays[3], arrays[4]};
+  return MIXITY_HAS_WIDE ? fill_by_four(all, block) : fill_by_two(all, block);
 }
 
 /// Replaces the derivatives in `out`, those of -F/|grad F|, by those of the distance from an end or a corner of the

@@ -33,14 +33,18 @@ TEST(ModelCurves, EndsOfABandRunToTheSamePsiAboveTheFrameToo) {
   EXPECT_GT(beyond, 0);
 }
 
-/// Three series with a toughness each, and no stated one.
-TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundForTheirSeries) {
+Analysis with_free_toughness(const std::string& shipped, const std::string& model) {
   FitRequest request;
-  request.data_path = MIXITY_ROOT "/data/snow_weak_layers_manual.csv";
-  request.models = {"c"};
+  request.data_path = MIXITY_ROOT "/data/" + shipped;
+  request.models = {model};
   request.options.free = {kToughness};
   request.options.checks = false;
-  const Analysis result = run(request);
+  return run(request);
+}
+
+/// Three series with a toughness each, and no stated one.
+TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundForTheirSeries) {
+  const Analysis result = with_free_toughness("snow_weak_layers_manual.csv", "c");
   const FitResult& fit = result.fits.at(0);
   const Dataset& data = result.data;
   const std::vector<double> over = over_fitted_toughness(data, fit);
@@ -59,12 +63,7 @@ TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundForTheirSeries) {
 
 /// Gc in N/mm, whose toughness is stated and is shown in J/m^2.
 TEST(ModelCurves, RatiosAreOverTheToughnessThatIsFoundWhateverItsUnit) {
-  FitRequest request;
-  request.data_path = MIXITY_ROOT "/data/im7_8552_mmb.csv";
-  request.models = {"bk"};
-  request.options.free = {kToughness};
-  request.options.checks = false;
-  const Analysis result = run(request);
+  const Analysis result = with_free_toughness("im7_8552_mmb.csv", "bk");
   const FitResult& fit = result.fits.at(0);
   const FittedParameter* const found = find_parameter(fit.parameters, "toughness");
   ASSERT_TRUE(found && found->value && found->unit == "J/m^2");
