@@ -23,7 +23,7 @@ namespace {
 constexpr int kMostRestarts = 3;
 /// The gradient at which refits stop: their values are off by as much of a standard error, times the root of the number
 /// of points.
-constexpr double kNearEnough = 1e-10;
+constexpr double kNearEnough = 1e-8;
 
 /// The number of distinct points, counted up to `enough`: repeated rows carry no information about errors.
 std::size_t distinct_points(const Dataset& data, const PointIndices& used, std::size_t enough) {

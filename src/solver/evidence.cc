@@ -49,6 +49,10 @@ class LogDensity {
   /// logarithm. `below`: the logarithm of the density relative to the peak.
   double smooth(double below) const { return power() > 0 ? std::exp(-below / power()) : below; }
   double below(double smooth) const { return power() > 0 ? -power() * std::log(smooth) : smooth; }
+  /// Standard errors from the peak where a density without curvature of its own has fallen by e^-fall.
+  double distance_of(double fall) const {
+    return power() > 0 ? std::sqrt(2 * power() * std::expm1(fall / power())) : std::sqrt(2 * fall);
+  }
   /// The error of `below` per error of `smooth` near the peak.
   double error_of(double smooth) const { return power() > 0 ? power() * smooth : smooth; }
   void begin() { profile_.begin(0); }
@@ -117,11 +121,12 @@ class Interpolated {
     }
     return above;
   }
-  /// The larger of the last two Chebyshev coefficients, which estimates the error.
-  double tail() const {
+  /// The larger of two neighbouring Chebyshev coefficients, the last ones but `before`. The last two bound the error
+  /// of a smooth function; what is left out is smaller by the ratio of neighbouring pairs.
+  double tail(std::size_t before = 0) const {
     const std::size_t last = values_.size() - 1;
     double largest = 0;
-    for (const std::size_t k : {last - 1, last}) {
+    for (const std::size_t k : {last - 1 - before, last - before}) {
       double sum = 0;
       for (std::size_t i = 0; i <= last; ++i)
         sum += (i == 0 || i == last ? 0.5 : 1) * values_[i] * std::cos(angle(i) * static_cast<double>(k));
@@ -154,7 +159,8 @@ class Posterior {
   /// not suffice. `width`: of the peak, if known.
   bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
     constexpr std::size_t kFewest = 9, kDoubtful = 65, kMost = 257;
-    constexpr double kLeftOut = 1e-7;  // error of the logarithm: relative error of the density
+    constexpr double kLeftOut = 5e-7;  // error of the logarithm: relative error of the density
+    constexpr double kSteep = 3e-5;    // where their fall is believed: a kink would leave coefficients of its size
     constexpr double kScatter = 1e-5;
     constexpr double kEnough = 1e-3;
     std::optional<Interpolated> before;
@@ -171,7 +177,10 @@ class Posterior {
         if (!std::isfinite(now.value(i))) return false;
       }
       const double error = density.error_of(now.tail()), error_before = before ? density.error_of(before->tail()) : 0;
+      // Coefficients that fall steeply leave out what follows in proportion.
+      const double falls = error / std::max(error, density.error_of(now.tail(2)));
       before = std::move(now);
+      if (error <= kSteep && falls * error <= kLeftOut) break;
       // Values that are themselves only known to this are not interpolated better by more of them.
       if (error <= kLeftOut || (error_before <= kScatter && error > 0.2 * error_before && before->size() > kFewest))
         break;
@@ -241,17 +250,20 @@ class Posterior {
   std::vector<Moments> parts_;  // of each panel
 };
 
+/// The density's fall, in its logarithm, at which it is negligible: beyond lie 4e-12 of a normal density.
+constexpr double kNothing = 24;
+
 /// The place where the density becomes negligible, or the bound. Null if it becomes infinite before.
 std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak) {
-  constexpr double kNothing = 32;  // e^-32 = 1e-14
   const double direction = bound < density.start() ? -1 : 1;
   density.begin();
   double far = step;
-  for (int i = 0; i < 200; ++i, far *= 1.5) {
+  for (int i = 0; i < 200; ++i) {
     const double beyond = density.start() + direction * far, u = (bound - beyond) * direction <= 0 ? bound : beyond,
                  here = density(u);
     if (!std::isfinite(here)) return std::nullopt;
     if (peak - here > kNothing || u == bound) return Posterior::Value{u, here};
+    far *= std::clamp(1.05 * std::sqrt(kNothing / std::max(peak - here, 0.0)), 1.05, 1.5);  // a parabola's way
   }
   return std::nullopt;
 }
@@ -267,16 +279,17 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
   density.begin();
   const double peak = density(density.start());
   if (!std::isfinite(peak)) return std::nullopt;
-  constexpr double kFarOff = 8.1;  // standard errors, where a normal density is negligible
+  const double far_off = 1.02 * density.distance_of(kNothing);  // standard errors; a little beyond, for curvature
   const double range = density.upper() - density.lower();
-  double step = kFarOff * standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
+  const double width = standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
+  double step = far_off * width;
   if (!(step > 0 && step < range)) step = standard_error ? range : 1e-6 * range;
   const Posterior::Value at_peak{density.start(), peak};
   const auto low = density.lower() == at_peak.u ? std::optional(at_peak) : reach(density, density.lower(), step, peak),
              high = density.upper() == at_peak.u ? std::optional(at_peak) : reach(density, density.upper(), step, peak);
   Posterior posterior(density, peak);
   if (!low || !high || !(low->u < high->u) ||
-      !posterior.sample(density, *low, *high, standard_error ? std::optional(step / kFarOff) : std::nullopt))
+      !posterior.sample(density, *low, *high, width > 0 ? std::optional(width) : std::nullopt))
     return std::nullopt;
   const Moments all = posterior.all();
   const double mean = all[1] / all[0];
