@@ -13,6 +13,7 @@
 #include "fitting/fitted_errors.h"
 #include "fitting/limited_residuals.h"
 #include "fitting/pinned.h"
+#include "fitting/pull_off_course.h"
 #include "fitting/run_differences.h"
 #include "solver/robust.h"
 #include "statistics/distributions.h"
@@ -289,7 +290,10 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
   result.circle = test_circle(data, fit);
-  result.pinned = data.has_loads && is_pinned(data, fit, [&](std::size_t i) { return unexpected(fit, i); });
+  result.pull_off = test_pull_off(data, fit);
+  // pull-off loads determine the parameters of a contact whose areas hardly change
+  result.pinned =
+      data.has_loads && fit.pull_off == 0 && is_pinned(data, fit, [&](std::size_t i) { return unexpected(fit, i); });
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "fitting/causes.h"
 #include "fitting/circularity.h"
 #include "fitting/heavy_points.h"
+#include "fitting/pull_off_course.h"
 
 namespace mixity {
 namespace {
@@ -141,6 +142,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
     diagnosis.explanations = explanations_of(found);
     return diagnosis;
   }
+  if (pull_off_departs(fit)) return {failed, {}, {}};  // a cut of the runs would only leave them less to contradict
   auto cut = sliding_is_tried(some, tried) ? before_sliding(some, tried, kFew) : std::nullopt;
   if (cut && explains(some.data, cut->fit)) {
     if (of_part) {

@@ -132,7 +132,8 @@ bool explains(const Dataset& data, const FitResult& fit) {
   const ResidualTests& tests = consistency.residuals;
   return !runs_differ(fit, kHardly) && !wrong_constant(fit) && consistency.chi2_p.value_or(1) > kHardly &&
          !consistency.pinned && !is_far(tests) && tests.course_p > kHardly && !tests.together &&
-         !tests.neighbours_correlate(kHardly) && tests.trend_p > kHardly && tests.ends_p > kHardly;
+         !tests.neighbours_correlate(kHardly) && tests.trend_p > kHardly && tests.ends_p > kHardly &&
+         !(consistency.pull_off && consistency.pull_off->p_value < kHardly);
 }
 
 }  // namespace mixity

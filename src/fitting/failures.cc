@@ -7,6 +7,7 @@
 #include "fitting/causes.h"
 #include "fitting/circularity.h"
 #include "fitting/consistency.h"
+#include "fitting/pull_off_course.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -119,6 +120,9 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (const auto sliding = sliding_points(fit); !sliding.empty())
     return "points lie beyond the last equilibrium: cut the runs at the onset of sliding" +
            cut_at(first_of_runs(data, sliding), data, fit);
+  if (pull_off_departs(fit))
+    return "the pull-off loads leave the fit as T grows (F = " + rounded(fit.consistency->pull_off->F, 3) +
+           "): they and the areas have different values of the parameters, or a reading is off; fit each file alone";
   if (fit.consistency && fit.consistency->pinned)
     return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
            "runs do not determine the parameters";

@@ -180,6 +180,12 @@ struct CircleTest {
   double ratio, p_value;
 };
 
+/// Whether pull-off loads leave the fit along the shear: F, 0 where that is too small to count, and its probability by
+/// chance.
+struct PullOffTest {
+  double F, p_value;
+};
+
 struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // for known errors; with a robust loss from the median residual
   ResidualTests residuals;
@@ -187,7 +193,8 @@ struct Consistency {
   std::optional<HeavyPoints> heavy{};     // only in reported fits
   /// Whether the areas stay constant along each run within their scatter, as in a pinned contact (pinned.h).
   bool pinned = false;
-  std::optional<CircleTest> circle{};  // null where no axes were measured, and for models of ellipses
+  std::optional<CircleTest> circle{};     // null where no axes were measured, and for models of ellipses
+  std::optional<PullOffTest> pull_off{};  // null with few pull-off loads
 };
 
 /// Score test of a quantity that may differ between the runs, from the fit's derivatives.

@@ -180,6 +180,11 @@ void describe(Fields<CircleTest>& field) {
   field("p_value", "of that change by chance", &CircleTest::p_value);
 }
 
+void describe(Fields<PullOffTest>& field) {
+  field("F", "of an offset and a curvature along the shear; 0 where they are too small to count", &PullOffTest::F);
+  field("p_value", "its p-value", &PullOffTest::p_value);
+}
+
 void describe(Fields<Consistency>& field) {
   const auto of_residuals = [](const auto member) {
     return [member](const Consistency& tests) { return tests.residuals.*member; };
@@ -200,6 +205,8 @@ void describe(Fields<Consistency>& field) {
         &Consistency::heavy);
   field("circle", "of a model of circles, whether measured axes change their ratio; null where none were measured",
         &Consistency::circle);
+  field("pull_off", "whether pull-off loads leave the fit as the shear grows; null with fewer than six",
+        &Consistency::pull_off);
   field("beyond_equilibrium", "runs with points beyond the last equilibrium of the model", &Consistency::beyond);
 }
 

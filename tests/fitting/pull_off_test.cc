@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <sstream>
 
 #include "base/number_text.h"
 #include "dataset/load_text.h"
@@ -69,10 +70,11 @@ struct Experiment {
 
 /// Twelve pull-off loads up to T = 22, and two runs of ten areas far below their jump.
 Experiment experiment(const std::string& model, double lambda, unsigned seed) {
-  static std::map<std::string, std::vector<std::pair<double, double>>> loads;
-  static std::map<std::string, std::vector<std::array<double, 3>>> areas;
-  auto& of_loads = loads[model];
-  auto& of_areas = areas[model];
+  using Key = std::pair<std::string, double>;
+  static std::map<Key, std::vector<std::pair<double, double>>> loads;
+  static std::map<Key, std::vector<std::array<double, 3>>> areas;
+  auto& of_loads = loads[{model, lambda}];
+  auto& of_areas = areas[{model, lambda}];
   for (int i = 0; of_loads.size() < 12; ++i) of_loads.emplace_back(2.0 * i, searched_pull_off(model, lambda, 2.0 * i));
   for (const double P : {1.0, 4.0})
     for (int i = 0; of_areas.size() < (P == 1 ? 10u : 20u); ++i)
@@ -142,6 +144,31 @@ TEST(PullOffFit, FindsTheErrorOfLoadsThatStateNone) {
   const FitResult both =
       fit_model(load_pooled({{folder.path("p.csv")}, {folder.write("a.csv", experiment("c", 0.02, 3).areas)}}), "c");
   EXPECT_NEAR(both.errors->pull_off, 0.05, 0.02);  // its own error is a ninth of it
+}
+
+/// A series of loads and one of areas, fitted together; no error of the loads is stated.
+FitResult fit_of_series(double lambda_of_loads, double lambda_of_areas, unsigned seed) {
+  const TemporaryFolder folder;
+  std::string pull = "P_c,T\n";
+  std::istringstream rows(experiment("c", lambda_of_loads, seed).pull_off);
+  std::string row;
+  for (std::getline(rows, row); std::getline(rows, row);)
+    pull += row.substr(0, row.find(',', row.find(',') + 1)) + '\n';
+  return fit_model(load_pooled({{folder.write("pull.csv", pull)},
+                                {folder.write("areas.csv", experiment("c", lambda_of_areas, seed).areas)}}),
+                   "c");
+}
+
+/// An error that comes from the scatter about the fit would absorb the contradiction.
+TEST(PullOffFit, LoadsThatContradictTheAreasAreSuspect) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const FitResult fit = fit_of_series(0.2, 0.02, seed);
+    EXPECT_EQ(fit.status, FitStatus::suspect) << fit.message.text();
+    EXPECT_NE(fit.message.text().find("pull-off loads"), std::string::npos) << fit.message.text();
+  }
+}
+TEST(PullOffFit, LoadsThatAgreeWithTheAreasAreBelieved) {
+  for (unsigned seed = 1; seed <= 10; ++seed) EXPECT_EQ(fit_of_series(0.02, 0.02, seed).status, FitStatus::ok) << seed;
 }
 
 /// A load cell that is off is named and mended.
