@@ -10,7 +10,6 @@
 
 #include "base/files.h"
 #include "base/input_error.h"
-#include "base/kept_contents.h"
 #include "base/stop.h"
 #include "base/unfinished_run.h"
 

@@ -90,4 +90,7 @@ std::vector<std::string> files_remembered();
 /// The content of a file as it was read. Reads a large one again; throws InputError if it has changed since.
 std::string content_of(const InputFile& file);
 
+/// Forgets contents of more than a megabyte: content_of reads those files again.
+void forget_large_contents(std::vector<InputFile>& files);
+
 }  // namespace mixity

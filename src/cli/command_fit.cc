@@ -10,7 +10,7 @@
 #include "analysis/run.h"
 #include "analysis/run_all.h"
 #include "base/files.h"
-#include "base/kept_contents.h"
+#include "base/inputs.h"
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/fit_flags.h"

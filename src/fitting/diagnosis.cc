@@ -183,7 +183,7 @@ Diagnosis included(const Dataset& data, const FitResult& fit, const FitOptions& 
   const ExactConstant& nearly = *nearly_wrong_constant(fit);
   const bool other = list.front().name != nearly.constant || list.size() > 1;
   Message text = nearly.constant + (other ? " or another constant" : "") +
-                 " may be wrong (p = " + rounded(nearly.score->p_value, 2) + "): the interval includes ";
+                 " may be wrong (p = " + rounded(p_value_of(nearly), 2) + "): the interval includes ";
   for (const Cause& one : list)
     text += Message(&one == &list.front() ? "" : " and ") + "the fit with " + one.name + " = " + one.value + " (" +
             lambda_text(one.fit) + "; " + one.remedy + ")";

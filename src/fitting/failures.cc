@@ -44,7 +44,17 @@ const ExactConstant* most_significant(const FitResult& fit, const Asks& asks) {
   return most;
 }
 
+/// Contacts that shear become ellipses, whose areas exceed those of circles under the law of mode II. Such a radius is
+/// expected: its test has one side, and does not count among those of other constants.
+bool reads_too_large(const ExactConstant& one) {
+  return one.constant == kConstantNames[kShape] && one.score && one.score->value > 0;
+}
+
 }  // namespace
+
+double p_value_of(const ExactConstant& one) {
+  return reads_too_large(one) ? 0.5 * one.score->p_value : one.score->p_value;
+}
 
 bool is_nearly_wrong(const ExactConstant& one, double tests) {
   constexpr double kNearly = 0.1;
@@ -52,11 +62,8 @@ bool is_nearly_wrong(const ExactConstant& one, double tests) {
 }
 
 const ExactConstant* nearly_wrong_constant(const FitResult& fit) {
-  // Contacts that shear become ellipses, whose areas exceed those of circles under the law of mode II: of a radius that
-  // is read too large it does not count how many other constants are tested, and the test has one side.
   return most_significant(fit, [&](const ExactConstant& one) {
-    const bool expected = one.constant == kConstantNames[kShape] && one.score->value > 0;
-    return is_nearly_wrong(one, expected ? 0.5 : fit.budget->independent);
+    return is_nearly_wrong(one, reads_too_large(one) ? 0.5 : fit.budget->independent);
   });
 }
 

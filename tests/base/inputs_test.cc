@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "base/input_error.h"
-#include "base/kept_contents.h"
 #include "dataset/temporary_folder.h"
 
 namespace mixity {
