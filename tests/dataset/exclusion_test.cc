@@ -57,8 +57,7 @@ TEST(Exclusion, OfARunGoesByItsNameOrItsLoad) {
 
 TEST(Exclusion, OfARunByItsLoadTakesADecimalComma) {
   EXPECT_EQ(runs_without({.runs = {"5", "00 mN"}}).points.size(), 3U);
-  EXPECT_EQ(runs_without({.runs = {"5 mN", "8", "0 mN"}}).points.size(),
-            0U + runs_without({.runs = {"5 mN", "8 mN"}}).points.size());
+  EXPECT_EQ(runs_without({.runs = {"8", "0 mN"}}).points.size(), 2U);
   EXPECT_THROW(runs_without({.runs = {"5", "10 mN"}}), InputError);
 }
 
