@@ -108,11 +108,11 @@ struct ErrorSize {
   }
 };
 
-/// Calls use(item) for each comma-separated item, up to the first with a problem.
-Complaint for_each_item(std::string_view text, const auto& use) {
+/// Calls use(item) for each part of a list, up to the first with a problem.
+Complaint for_each_item(const auto& parts, const auto& use) {
   std::vector<std::string> items;
-  if (text.empty()) return "is empty";
-  for (const std::string_view part : split(text)) {
+  if (parts.size() == 1 && parts[0].empty()) return "is empty";
+  for (const auto& part : parts) {
     const std::string item(part);
     if (item.empty()) return "has an empty entry at position " + std::to_string(items.size() + 1);
     if (std::find(items.begin(), items.end(), item) != items.end()) return "names " + in_quotes(item) + " twice";
@@ -127,7 +127,7 @@ template <class Item>
 struct ListOf {
   static Complaint read(std::string_view text, auto& list) {
     list.clear();
-    return for_each_item(text, [&](const std::string& item) { return Item::read(item, list); });
+    return for_each_item(split(text), [&](const std::string& item) { return Item::read(item, list); });
   }
   static std::string write(const auto& list) {
     std::vector<std::string> items;

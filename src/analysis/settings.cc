@@ -57,18 +57,24 @@ struct Objectives {
 };
 
 struct Held {
-  static Complaint read(const std::string& item, std::vector<HeldParameter>& hold) {
+  static Complaint read(std::string_view text, std::vector<HeldParameter>& hold) {
+    hold.clear();
+    return for_each_item(split_assignments(text), [&](const std::string& item) { return read_one(item, hold); });
+  }
+  static Complaint read_one(const std::string& item, std::vector<HeldParameter>& hold) {
     const auto held = parse_held(item);
+    const std::string meant = held ? "" : two_readings(item.substr(item.find('=') + 1));
     if (!held || parse_number(item))
-      return "has " + in_quotes(item) + ", which is neither a parameter nor PARAMETER=NUMBER" +
-             (held ? "; numbers in this list have decimal points" : "");
+      return "has " + in_quotes(item) +
+             (meant.empty() ? ", which is neither a parameter nor PARAMETER=NUMBER" : "; write " + meant);
     if (std::any_of(hold.begin(), hold.end(), [&](const HeldParameter& other) { return other.name == held->name; }))
       return "names " + in_quotes(held->name) + " twice";
     return hold.push_back(*held), Complaint();
   }
-  static std::string write(const HeldParameter& held) {
+  static std::string write_one(const HeldParameter& held) {
     return held.name + (held.value ? "=" + shortest(*held.value) : "");
   }
+  static std::string write(const std::vector<HeldParameter>& hold) { return joined(texts_of(hold, write_one), ","); }
 };
 
 /// What the couplings of elliptic contacts have in common.
@@ -81,7 +87,7 @@ struct Tie {
     return {};
   }
   static std::string write(const FitRequest& request) {
-    return request.equal_couplings ? "equal" : request.tied ? Held::write(*request.tied) : "";
+    return request.equal_couplings ? "equal" : request.tied ? Held::write_one(*request.tied) : "";
   }
 };
 
@@ -90,7 +96,7 @@ struct Free {
   static Complaint read(std::string_view text, FitRequest& request) {
     request.options.free.clear();
     request.free_parameters.clear();
-    return for_each_item(text, [&](const std::string& name) -> Complaint {
+    return for_each_item(split(text), [&](const std::string& name) -> Complaint {
       const auto found = std::find(kConstantNames.begin(), kConstantNames.end(), name);
       if (found != kConstantNames.end())
         request.options.free.push_back(static_cast<Constant>(found - kConstantNames.begin()));
@@ -163,7 +169,7 @@ struct Formats {
   static Complaint read(std::string_view text, FigureFormats& formats) {
     FigureFormats wanted;
     if (text != "none") {
-      Complaint problem = for_each_item(text, [&](const std::string& name) -> Complaint {
+      Complaint problem = for_each_item(split(text), [&](const std::string& name) -> Complaint {
         if (name != "pdf" && name != "png" && name != "gnuplot")
           return "names the unknown format " + in_quotes(name) + known_names(name, {"pdf", "png", "gnuplot", "none"});
         (name == "pdf" ? wanted.pdf : name == "png" ? wanted.png : wanted.gnuplot) = true;
@@ -213,7 +219,7 @@ const std::vector<Setting>& settings() {
           "likelihood, which is fitted with the rest"),
       setting("loss_scale", &FitOptions::loss_scale, PositiveNumber{},
               "residual beyond which points are down-weighted, in standard errors (default 1.345 huber, 2.385 cauchy)"),
-      setting("hold", &FitOptions::hold, ListOf<Held>{},
+      setting("hold", &FitOptions::hold, Held{},
               "parameters to hold fixed, comma-separated: NAME=VALUE, or NAME for the data set's own value"),
       setting("tie", WholeRequest{}, Tie{},
               "elliptic contacts: equal (one coupling for modes II and III), or one of them at a value: lambda_III=0"),
@@ -279,12 +285,25 @@ std::vector<std::pair<std::string, std::string>> stated_options(const FitRequest
   return list;
 }
 
+namespace {
+
+std::string no_parameter(const std::string& name, const std::vector<std::string>& models) {
+  std::vector<std::string> known;
+  for (const std::string& key : models)
+    if (const auto model = ContactModel::find(key))
+      for (const ParameterInfo& parameter : model->parameters())
+        if (std::find(known.begin(), known.end(), parameter.name) == known.end()) known.emplace_back(parameter.name);
+  return "names " + in_quotes(name) + ", which no fitted model has" + known_names(name, known);
+}
+
+}  // namespace
+
 std::optional<Contradiction> contradiction(const FitRequest& request) {
   const FitOptions& options = request.options;
   const auto curve = Objective::curve, toughness = Objective::toughness;
   for (const HeldParameter& held : options.hold) {
     if (!has_parameter(request.models, held.name))
-      return Contradiction{"hold", "names " + in_quotes(held.name) + ", which no fitted model has"};
+      return Contradiction{"hold", no_parameter(held.name, request.models)};
     if (std::find(request.free_parameters.begin(), request.free_parameters.end(), held.name) !=
         request.free_parameters.end())
       return Contradiction{"free", "names " + in_quotes(held.name) + ", which is to be held"};
@@ -292,10 +311,9 @@ std::optional<Contradiction> contradiction(const FitRequest& request) {
   if (request.stated.contains("tie") && std::none_of(request.models.begin(), request.models.end(), is_elliptic))
     return Contradiction{"tie", "needs elliptic contacts (shape=ellipse)"};
   if (request.tied && !has_parameter(request.models, request.tied->name))
-    return Contradiction{"tie", "names " + in_quotes(request.tied->name) + ", which no fitted model has"};
+    return Contradiction{"tie", no_parameter(request.tied->name, request.models)};
   for (const std::string& name : request.free_parameters)
-    if (!has_parameter(request.models, name))
-      return Contradiction{"free", "names " + in_quotes(name) + ", which no fitted model has"};
+    if (!has_parameter(request.models, name)) return Contradiction{"free", no_parameter(name, request.models)};
   if (options.scale && options.objective == curve) return Contradiction{"scale", "needs objective=toughness"};
   if (options.weighted && options.objective == curve)
     return Contradiction{"weighted", "needs objective=toughness; curve weighs the points anyway"};

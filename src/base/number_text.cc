@@ -38,6 +38,12 @@ std::string rounded(double value, int digits) {
   return shown < 1e7 && shown > -1e7 ? written(shown, std::chars_format::fixed, 0) : general;
 }
 
+std::string rounded_difference(double value, double size, int digits) {
+  return rounded(std::abs(value) < 1e-12 * size ? 0 : value, digits);
+}
+
+std::string chi_squared_text(double chi_squared, int digits) { return rounded_difference(chi_squared, 1, digits); }
+
 std::string resolved(double value, double resolution) {
   if (!(resolution > 0) || value == 0) return rounded(value, 4);
   const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(resolution)) + 2;

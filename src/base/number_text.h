@@ -18,6 +18,12 @@ std::string significant(double value, int digits);
 /// The same, without an exponent up to ten million: 1700.
 std::string rounded(double value, int digits);
 
+/// The same, but 0 for a rounding error of a difference of numbers of this size: below 1e-12 of it.
+std::string rounded_difference(double value, double size, int digits);
+
+/// A sum of squares in standard errors: chi^2. A millionth of a standard error is a rounding error.
+std::string chi_squared_text(double chi_squared, int digits = 3);
+
 /// The value with enough digits that a change by `resolution` changes the last but one.
 std::string resolved(double value, double resolution);
 

@@ -72,6 +72,22 @@ std::string two_readings(std::string_view text) {
   return "\"" + point + "\" or \"" + none + "\"";
 }
 
+std::vector<std::string> split_assignments(std::string_view text) {
+  std::vector<std::string> parts;
+  for (const std::string_view part : split(text)) {
+    const std::size_t equals = parts.empty() ? std::string::npos : parts.back().find('=');
+    const bool behind_digits = equals != std::string::npos && is_digit(parts.back().back()) &&
+                               parts.back().find_first_of(".,", equals) == std::string::npos;
+    double fraction = 0;
+    if (behind_digits && !part.empty() && is_digit(part.front()) && part.find('.') == std::string::npos &&
+        parse_number(part, fraction))
+      parts.back().append(",").append(part);
+    else
+      parts.emplace_back(part);
+  }
+  return parts;
+}
+
 bool parse_number(std::string_view text, double& value) {
   text = without_plus(text);
   const Beginning number = with_point(text);

@@ -83,6 +83,10 @@ bool parse_number(std::string_view text, double& value);
 /// The possible meanings of a number with a comma before three digits: "\"2.133 MPa\" or \"2133 MPa\""; else empty.
 std::string two_readings(std::string_view text);
 
+/// The trimmed parts of a list of names and of NAME=NUMBER. A comma before a bare number, which cannot be a part, is a
+/// decimal comma: "a=0,5,b" has two parts.
+std::vector<std::string> split_assignments(std::string_view text);
+
 /// A dimension in the words of messages: "a force such as mN".
 std::string describe(const Dimension& dimension);
 

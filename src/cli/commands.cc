@@ -122,6 +122,8 @@ std::span<const Command> commands() {
 const Command& find_command(const std::string& name) {
   for (const Command& command : commands())
     if (command.name == name) return command;
+  if (name.starts_with("-"))
+    throw UsageError("flag '" + name + "' stands before the command: the command comes first (see mixity help)");
   throw UsageError("unknown command '" + name + "'" + did_you_mean(name, texts_of(commands(), &Command::name)) +
                    " (see mixity help)");
 }

@@ -124,9 +124,7 @@ Texts parameter_texts() {
   Texts given;
   for (const std::string& item : list_from("parameters")) {
     const std::size_t equals = item.find('=');
-    if (equals == std::string::npos)
-      throw refused("parameters", "'" + item + "' is not NAME=NUMBER" +
-                                      (parse_number(item) ? "; with decimal commas, separate by semicolons" : ""));
+    if (equals == std::string::npos) throw refused("parameters", "'" + item + "' is not NAME=NUMBER");
     const std::string name(trim(std::string_view(item).substr(0, equals)));
     if (!given.emplace(name, item.substr(equals + 1)).second)
       throw UsageError("flag '--parameters' names '" + name + "' twice");

@@ -62,10 +62,12 @@ std::vector<std::string> list_from(const std::string& flag) {
   const std::string value = value_of(flag);
   std::vector<std::string> items;
   if (value.empty()) return items;
-  for (const std::string_view item : split(value, value.find(';') == std::string::npos ? ',' : ';')) {
-    if (item.empty()) throw refused(flag, "entry " + std::to_string(items.size() + 1) + " is empty");
-    items.emplace_back(item);
-  }
+  if (value.find(';') == std::string::npos)
+    items = split_assignments(value);
+  else
+    for (const std::string_view item : split(value, ';')) items.emplace_back(item);
+  const auto empty = std::find(items.begin(), items.end(), "");
+  if (empty != items.end()) throw refused(flag, "entry " + std::to_string(empty - items.begin() + 1) + " is empty");
   return items;
 }
 
@@ -76,7 +78,29 @@ Quantity quantity_from(const std::string& flag, const std::string& be,
   return *quantity;
 }
 
+namespace {
+
+/// The error for "0,5 mN,1,2 mN", where only some numbers have a unit: two loads with decimal commas, or four.
+UsageError some_have_units(const std::string& flag, const std::vector<Quantity>& list) {
+  std::string fewer, more;
+  for (std::size_t i = 0, bare = 0; i < list.size(); ++i) {
+    const std::string& unit = list[i].unit.text;
+    if (unit.empty() && ++bare) continue;
+    for (std::size_t j = i - bare; j <= i; ++j) {
+      fewer += (j == 0 ? "" : j > i - bare ? "." : ",") + shortest(list[j].value);
+      more += (j == 0 ? "" : ",") + shortest(list[j].value) + " " + unit;
+    }
+    fewer += " " + unit;
+    bare = 0;
+  }
+  return UsageError("flag '--" + flag + "' is '" + value_of(flag) + "'; write \"" + fewer + "\" or \"" + more + '"');
+}
+
+}  // namespace
+
 std::vector<Quantity> quantities_from(const std::string& flag) {
+  if (flag == "load")  // one number, whose comma cannot separate two
+    if (auto one = parse_quantity(value_of(flag))) return {std::move(*one)};
   std::vector<Quantity> list;
   for (const std::string& item : list_from(flag)) {
     const auto quantity = parse_quantity(item);
@@ -84,6 +108,10 @@ std::vector<Quantity> quantities_from(const std::string& flag) {
     list.push_back(*quantity);
   }
   if (list.empty()) throw UsageError("flag '--" + flag + "' is missing or empty");
+  const auto with_unit =
+      std::count_if(list.begin(), list.end(), [](const Quantity& one) { return !one.unit.text.empty(); });
+  if (with_unit > 1 && with_unit < std::ssize(list) && !list.back().unit.text.empty())
+    throw some_have_units(flag, list);
   for (Quantity& quantity : list)
     if (quantity.unit.text.empty()) quantity.unit = list.back().unit;
   return list;

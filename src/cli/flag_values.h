@@ -41,7 +41,8 @@ std::vector<std::string> list_from(const std::string& flag);
 Quantity quantity_from(const std::string& flag, const std::string& be,
                        const std::function<bool(const Quantity&)>& suits);
 
-/// One or more comma-separated quantities. The unit of the last one applies to those without a unit.
+/// One or more comma-separated quantities, of which all have a unit or the last alone, whose unit then is that of all.
+/// --load is one number, which may have a decimal comma.
 std::vector<Quantity> quantities_from(const std::string& flag);
 
 /// A positive quantity of the dimension of `unit`, divided by `size` [SI]; a bare number if there is no size.

@@ -32,9 +32,10 @@ std::vector<std::size_t> runs_named(const Dataset& data, const std::string& name
   return runs;
 }
 
-/// Runs that the first of these texts name, and how many texts: a name with commas, such as "0,5 mN", takes several.
+/// Runs that the first of these texts name, and how many texts: a name or load with commas, such as "0,5 mN", takes
+/// several.
 std::pair<std::vector<std::size_t>, std::size_t> first_named(const Dataset& data, std::span<const std::string> names) {
-  std::size_t most = 1;
+  std::size_t most = std::min<std::size_t>(2, names.size());  // "7,73 mN" may be one load
   for (const std::string& name : data.curves) most = std::max(most, split(name).size());
   for (std::size_t n = std::min(most, names.size()); n > 0; --n)
     if (auto runs = runs_named(data, joined(names.first(n), ",")); !runs.empty()) return {std::move(runs), n};

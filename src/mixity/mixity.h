@@ -1,12 +1,16 @@
-// mixity in one header: mode-mixity models of soft adhesive contacts fitted to areas under shear.
-//
-//   #include <mixity/mixity.h>
-//   mixity::Dataset data = mixity::load_dataset("run.csv", {{"radius", "9.42 mm"}});
-//   mixity::FitResult fit = mixity::fit_model(data, "c");
-//   fit.status, fit.parameters[0].value, fit.parameters[0].interval, fit.budget, fit.residuals
-//
-// It includes no header of the libraries that mixity is built with. InputError is thrown for invalid content of a file,
-// an array or an option; what can fail for valid input has a status or a reason.
+/// @mainpage Models of mode mixity, fitted to areas of soft adhesive contacts under shear
+///
+/// One header has the interface:
+/// @code
+/// #include <mixity/mixity.h>
+/// mixity::Dataset data = mixity::load_dataset("run.csv", {{"radius", "9.42 mm"}});
+/// mixity::FitResult fit = mixity::fit_model(data, "c");
+/// // fit.status, fit.parameters[0].value, fit.parameters[0].interval, fit.budget, fit.residuals
+/// @endcode
+/// See mixity::load_dataset, mixity::fit_model, mixity::FitOptions, mixity::FitResult, mixity::ContactModel.
+///
+/// It includes no header of the libraries that mixity is built with. InputError is thrown for invalid content of a file,
+/// an array or an option; what can fail for valid input has a status or a reason.
 #pragma once
 
 #include "base/input_error.h"         // InputError

@@ -76,11 +76,11 @@ std::string residual_tests(const FitResult& fit) {
   const ResidualTests& residuals = tests.residuals;
   Texts parts;
   if (tests.chi2_per_freedom)
-    parts.push_back("chi^2 per degree of freedom " + rounded(*tests.chi2_per_freedom, 3) + " (" +
+    parts.push_back("chi^2 per degree of freedom " + chi_squared_text(*tests.chi2_per_freedom) + " (" +
                     chance(*tests.chi2_p) + ")");
   if (!residuals.runs.empty()) {
     parts.push_back("runs of one sign " + chance(residuals.runs_p));
-    parts.push_back("correlation of neighbours " + rounded(residuals.correlation, 2) + " (" +
+    parts.push_back("correlation of neighbours " + rounded_difference(residuals.correlation, 1, 2) + " (" +
                     chance(residuals.correlation_p) + ")");
     parts.push_back("trends " + chance(residuals.trend_p));
     if (fit.area) parts.push_back("ends of runs " + chance(residuals.ends_p));
@@ -178,11 +178,12 @@ std::string unsheared_sentence(const UnshearedTest& test) {
   for (const UnshearedTest::Implied& one : test.implied) {
     const ReadableUnit unit = readable_unit(one.value, one.unit);
     implied.push_back(one.constant + " " + with_error(one.value * unit.factor, one.standard_error * unit.factor) +
-                      unit_text(unit.unit) + " (chi^2 " + rounded(one.chi2, 3) + ")");
+                      unit_text(unit.unit) + " (chi^2 " + chi_squared_text(one.chi2) + ")");
   }
   return "areas without shear (" + counted(test.points, "point") + ") " +
          (test.p_value < kChance ? "do not agree with JKR" : "agree with JKR") +
-         " and the constants as stated: chi^2 " + rounded(test.chi2, 3) + joined(implied, " or ", "; they imply ");
+         " and the constants as stated: chi^2 " + chi_squared_text(test.chi2) +
+         joined(implied, " or ", "; they imply ");
 }
 
 std::vector<std::string> consistency_lines(const FitResult& fit, const Dataset& data) {

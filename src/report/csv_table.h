@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/light_function.h"
 #include "base/number_text.h"
 #include "dataset/table/csv.h"
 
@@ -65,7 +66,7 @@ class CsvTable {
   std::string text() const { return text_ + '\n'; }
 
  private:
-  std::vector<std::function<std::string(const Row&)>> cells_;
+  std::vector<LightFunction<std::string(const Row&)>> cells_;
   std::string text_;
 };
 

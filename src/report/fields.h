@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/light_function.h"
 #include "base/message.h"
 
 namespace mixity {
@@ -189,7 +190,7 @@ class Fields {
     const char *name, *meaning, *limits;
     bool required;
     Json (*schema)();
-    std::function<Json(const T&, const Within&)> read;
+    LightFunction<Json(const T&, const Within&)> read;
   };
 
   template <class Get>

@@ -159,8 +159,11 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
       const double freedom = static_cast<double>(fit.freedom());
       constexpr double kFew = 10;  // with fewer points a small chi^2 says little
       const double part = fit.sum_of_squares / freedom;
-      out << "    chi^2 per degree of freedom = " << rounded(part, 3);
-      if (part > 2)
+      const std::string shown = chi_squared_text(part);
+      out << "    chi^2 per degree of freedom = " << shown;
+      if (shown == "0")
+        out << ": the points lie on the curve; the interval uses the stated errors";
+      else if (part > 2)
         out << ": the scatter is larger than these errors; intervals are too narrow";
       else if (part < 0.5 && freedom > kFew)
         out << ": these errors are " << rounded(1 / std::sqrt(part), 2)
@@ -223,6 +226,12 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
   return out.str();
 }
 
+std::string area_error_text(double error, const Dataset& data) {
+  double largest = 0;
+  for (const Point& point : data.points) largest = std::max(largest, point.A * data.display.area_scale);
+  return rounded_difference(error, largest, 3);
+}
+
 std::string comparison_text(const Analysis& result) {
   if (result.comparison.empty()) return {};
   std::ostringstream out;
@@ -242,7 +251,7 @@ std::string comparison_text(const Analysis& result) {
     if (left_out) {
       std::string text = "-";
       if (m.left_out) {
-        text = rounded(m.left_out->rmse_area, 3) + unit_text(result.data.display.area);
+        text = area_error_text(m.left_out->rmse_area, result.data) + unit_text(result.data.display.area);
         if (m.left_out->beyond_fold > 0) text += ", " + std::to_string(m.left_out->beyond_fold) + " past the fold";
       }
       out << padded(text, 31);
@@ -281,7 +290,8 @@ std::string per_curve_text(const Analysis& result) {
     const PerCurve::Test& test = *per_curve.test;
     out << "    one value for all runs against one for each: " << (test.chi_squared ? "chi^2(" : "F(")
         << rounded(test.freedom, 4) << (test.chi_squared ? "" : ", " + rounded(test.residual_freedom, 6))
-        << ") = " << rounded(test.statistic, 4) << ", p = " << rounded(test.p_value, 2);
+        << ") = " << (test.chi_squared ? chi_squared_text(test.statistic, 4) : rounded(test.statistic, 4))
+        << ", p = " << rounded(test.p_value, 2);
     if (test.aicc_pooled && test.aicc_separate)
       out << ", AICc " << rounded(*test.aicc_pooled, 5) << " against " << rounded(*test.aicc_separate, 5);
     out << "\n    "

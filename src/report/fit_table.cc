@@ -87,7 +87,7 @@ FitTable fit_table(const Analysis& result) {
   column("R² of A(T)", "R² A(T)", [&](const FitResult& fit) { return area(fit) ? r2(area(fit)->r2) : Cell{}; });
   column("RMS error of A(T)", "RMS A(T)", [&](const FitResult& fit) {
     if (!area(fit)) return Cell{};
-    Cell cell{{rounded(area(fit)->rmse, 3) + unit}};
+    Cell cell{{area_error_text(area(fit)->rmse, result.data) + unit}};
     if (const std::size_t n = area(fit)->unpredicted; n > 0)
       cell.lines.push_back("without " + std::to_string(n) + " past the fold");
     return cell;
@@ -98,7 +98,7 @@ FitTable fit_table(const Analysis& result) {
   });
   column("RMS error on left-out loads", "RMS left out", [&](const FitResult& fit) {
     const ComparedModel* entry = compared(result, fit.model);
-    return entry && entry->left_out ? Cell{{rounded(entry->left_out->rmse_area, 3) + unit}} : Cell{};
+    return entry && entry->left_out ? Cell{{area_error_text(entry->left_out->rmse_area, result.data) + unit}} : Cell{};
   });
   column("Published", "Published", [&](const FitResult& fit) {
     Cell cell;
@@ -158,7 +158,7 @@ std::vector<std::string> findings(const Analysis& result) {
                        " times as much");
     sentences.push_back(
         (best.size() > 1 ? "Models " + joined(best, " and ") + " predict" : "Model " + best[0] + " predicts") +
-        " the areas at loads left out of the fit best (RMS error " + rounded(least, 3) +
+        " the areas at loads left out of the fit best (RMS error " + area_error_text(least, result.data) +
         unit_text(result.data.display.area) + ")" + joined(others, ", ", "; ") + ".");
   }
   if (no_winner.empty() && by_weight.size() > 1) {

@@ -106,9 +106,11 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
   write_lines({posterior_line(fit)});
   write_lines(budget_lines(fit));
   out << paper_text(fit);
+  const double size = fit.errors ? 1e6 : 1;  // of what residuals are differences: in standard errors, or of logarithms
   if (fit.rmse)
-    out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS " << rounded(*fit.rmse, 3)
-        << ", largest residual " << rounded(*fit.max_abs_residual, 3) << ", "
+    out << "    R^2 = " << shown_r2(fit.r2) << " in " << fitted_space(fit) << ", RMS "
+        << rounded_difference(*fit.rmse, size, 3) << ", largest residual "
+        << rounded_difference(*fit.max_abs_residual, size, 3) << ", "
         << (fit.of_pull_off_alone() ? counted(fit.pull_off, "pull-off load") : counted(fit.used.size(), "point"))
         << '\n';
   write_lines({pull_off_line(fit, data)});
@@ -118,8 +120,8 @@ void write_fit(std::ostringstream& out, const FitResult& fit, const FitRequest& 
   if (fit.area && !fit.used.empty()) {
     out << "    ";
     if (fit.area->predicted > 0)
-      out << "R^2 = " << shown_r2(fit.area->r2) << " in predicted A(T), RMS " << rounded(fit.area->rmse, 3)
-          << unit_text(data.display.area) << ", largest residual " << rounded(fit.area->max_abs_residual, 3);
+      out << "R^2 = " << shown_r2(fit.area->r2) << " in predicted A(T), RMS " << area_error_text(fit.area->rmse, data)
+          << unit_text(data.display.area) << ", largest residual " << area_error_text(fit.area->max_abs_residual, data);
     else
       out << "no predicted A(T)";
     if (!fit.area->obstacle.empty())

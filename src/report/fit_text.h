@@ -30,6 +30,8 @@ std::string correlation_text(const FitResult& fit);
 std::vector<std::string> raised_errors(const StandardErrors& errors);
 /// The source of standard errors and correlations, and the loss, one a line.
 std::string errors_text(const FitResult& fit, const Dataset& data, Wording words);
+/// A residual of A(T), in the unit of A; 0 for a rounding error.
+std::string area_error_text(double error, const Dataset& data);
 std::string comparison_text(const Analysis& result);
 std::string per_curve_text(const Analysis& result);
 

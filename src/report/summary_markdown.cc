@@ -6,6 +6,7 @@
 #include "report/fit_table.h"
 #include "report/fit_text.h"
 #include "report/report.h"
+#include "report/set_table.h"
 
 namespace mixity {
 namespace {
@@ -49,6 +50,19 @@ std::string answer_text(const Answer& answer, const Dataset& data) {
   return answer.cannot_say.empty() ? text : text + "\n";
 }
 
+std::string table_text_of(const FitTable& table) {
+  std::string text = table_line(table.headings) + table_rule(table.headings.size());
+  for (const auto& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const FitTable::Cell& cell : row) {
+      const std::string lines = marked(joined(cell.lines, "; "));
+      cells.push_back(cell.alert ? "**" + lines + "**" : lines);
+    }
+    text += table_line(cells);
+  }
+  return text;
+}
+
 std::string data_set_text(const ReportEntry& entry) {
   const Analysis& result = entry.shown->result;
   const Dataset& data = result.data;
@@ -58,16 +72,7 @@ std::string data_set_text(const ReportEntry& entry) {
   text += "\n\n" + row_counts(data) + ".\n\n" + answer_text(entry.shown->answer, data);
   for (const std::string& sentence : findings(result)) text += marked(sentence) + "\n";
   if (!findings(result).empty()) text += "\n";
-  const FitTable table = fit_table(result);
-  text += table_line(table.headings) + table_rule(table.headings.size());
-  for (const auto& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const FitTable::Cell& cell : row) {
-      const std::string lines = marked(joined(cell.lines, "; "));
-      cells.push_back(cell.alert ? "**" + lines + "**" : lines);
-    }
-    text += table_line(cells);
-  }
+  text += table_text_of(fit_table(result));
   std::string budgets;
   if (result.unsheared) budgets += "- " + marked(unsheared_sentence(*result.unsheared)) + "\n";
   for (const FitResult& fit : result.fits)
@@ -83,6 +88,7 @@ std::string data_set_text(const ReportEntry& entry) {
 
 std::string summary_markdown(const ReportContent& content) {
   std::string text = "# Mode-mixity fits\n\n";
+  if (const FitTable sets = set_table(content); !sets.rows.empty()) text += table_text_of(sets) + "\n";
   for (const ReportEntry& entry : content.entries) text += data_set_text(entry);
   std::vector<std::string> made_with;
   for (const auto& [name, version] : versions()) made_with.push_back(name + " " + version);

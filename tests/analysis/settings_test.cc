@@ -135,10 +135,14 @@ TEST(Settings, FormatsOfFiguresAreAList) {
   EXPECT_EQ(set_option(request, "formats", "pdf,pdf"), "names 'pdf' twice");
 }
 
-TEST(Settings, AskForADecimalPointWhereACommaSeparates) {
+TEST(Settings, HaveDecimalCommasInListsToo) {
   FitRequest request;
-  EXPECT_EQ(set_option(request, "hold", "lambda=0,01"),
-            "has '01', which is neither a parameter nor PARAMETER=NUMBER; numbers in this list have decimal points");
+  EXPECT_EQ(set_option(request, "hold", "lambda=0,01, modulus"), "");
+  ASSERT_EQ(request.options.hold.size(), 2u);
+  EXPECT_EQ(request.options.hold[0].value, 0.01);
+  EXPECT_EQ(request.options.hold[1].name, "modulus");
+  EXPECT_EQ(set_option(request, "hold", "eta=2,133"), "has 'eta=2,133'; write \"2.133\" or \"2133\"");
+  EXPECT_EQ(set_option(request, "hold", "modulus,01"), "has '01', which is neither a parameter nor PARAMETER=NUMBER");
   EXPECT_EQ(set_option(request, "confidence", "0,9"), "");
   EXPECT_EQ(request.options.confidence, 0.9);
 }

@@ -17,6 +17,14 @@ TEST(NumberText, RoundedAvoidsExponentsAReaderDoesNotNeed) {
   EXPECT_EQ(rounded(0, 3), "0");
 }
 
+TEST(NumberText, RoundingErrorsOfDifferencesAreZero) {
+  EXPECT_EQ(rounded_difference(-5.7e-17, 0.45, 3), "0");
+  EXPECT_EQ(rounded_difference(5.7e-12, 0.45, 3), "5.7e-12");
+  EXPECT_EQ(rounded_difference(5.7e-17, 1e-6, 3), "5.7e-17");  // of areas in m^2
+  EXPECT_EQ(chi_squared_text(1.03e-27), "0");
+  EXPECT_EQ(chi_squared_text(0.0558), "0.0558");
+}
+
 TEST(NumberText, DecimalTakesOffTheRoundingsOfAConversionOnly) {
   for (const char* text : {"1.2", "3.7", "0.3", "-2.6", "0.115838", "7.73194", "1e-05"}) {
     const double right = std::strtod(text, nullptr);

@@ -127,7 +127,9 @@ TEST(SimulateCommand, TakesOneLoadUnderEitherNameAndPrintsItAsStated) {
   }
   EXPECT_EQ(simulated({"--load=1 mN", "--loads=2 mN"}).complaint(),
             "mixity: flags '--load' and '--loads': give one of them");
-  EXPECT_EQ(simulated({"--load=1,2 mN"}).exit_code, 2);  // one load with a decimal comma, or two
+  EXPECT_EQ(simulated({"--load=1,2 mN"}).out, simulated({"--load=1.2 mN"}).out);
+  EXPECT_EQ(simulated({"--loads=0,5 mN,1,2 mN"}).complaint(),
+            "mixity: flag '--loads' is '0,5 mN,1,2 mN'; write \"0.5 mN,1.2 mN\" or \"0 mN,5 mN,1 mN,2 mN\"");
   EXPECT_EQ(simulated({"--loads=1,2; 3,5 mN"}).out, simulated({"--loads=1.2,3.5 mN"}).out);
 }
 

@@ -63,7 +63,7 @@ TEST(CurveCommands, RefuseBadUsageInOneLineWithExitTwo) {
            {"curve", "--model=c", "--lambda=0.15", "--load=-5"},
            {"curve", "--model=c", "--lambda=0.15", "--load=nan"},
            {"curve", "--model=c", "--lambda=0.15", "--load=1e300"},
-           {"curve", "--model=c", "--lambda=0.15", "--load=1,2"},
+           {"curve", "--model=c", "--lambda=0.15", "--loads=1,2"},
            {"curve", "--model=c", "--lambda=0.15", "--load="},
            {"curve", "--model=c", "--lambda=0.15", "--load=1 mN"},
            {"curve", "--model=c", "--lambda=0.15", "--shear=-1"},

@@ -66,7 +66,9 @@ TEST(Program, BadUsageIsOneLineAndExitTwo) {
   for (const auto& [words, complaint] : std::vector<std::pair<Words, std::string>>{
            {{"fitt"}, "unknown command 'fitt': did you mean fit? (see mixity help)"},
            {{"help", "Simulat"}, "unknown command 'Simulat': did you mean simulate? (see mixity help)"},
-           {{"--foo"}, "unknown command '--foo' (see mixity help)"},
+           {{"--foo", "fit"}, "flag '--foo' stands before the command: the command comes first (see mixity help)"},
+           {{"fit", MIXITY_ROOT "/data/mergel2018.csv", "--hold=lamda=1"},
+            "flag '--hold' names 'lamda', which no fitted model has: did you mean lambda? (known: lambda)"},
            {{"help", "foo"}, "unknown command 'foo' (see mixity help)"},
            {{"fit", "--foo=1", "a.csv"}, "unknown flag '--foo' (see mixity help fit)"},
            {{"fit", "--modles=c", "a.csv"}, "unknown flag '--modles': did you mean --models? (see mixity help fit)"},

@@ -55,6 +55,12 @@ TEST(Exclusion, OfARunGoesByItsNameOrItsLoad) {
   EXPECT_EQ(runs_without({}).points.size(), 5U);
 }
 
+TEST(Exclusion, OfARunByItsLoadTakesADecimalComma) {
+  EXPECT_EQ(runs_without({.runs = {"5", "00 mN"}}).points.size(), 3U);
+  EXPECT_EQ(runs_without({.runs = {"8", "0 mN"}}).points.size(), 2U);
+  EXPECT_THROW(runs_without({.runs = {"5", "10 mN"}}), InputError);
+}
+
 /// A list between commas reaches exclude() in parts.
 TEST(Exclusion, OfARunWhoseNameHasCommas) {
   const TemporaryFolder folder;

@@ -341,6 +341,30 @@ async function printed(page) {
   await page.emulateMedia({media: null});
 }
 
+/// Pictures that were drawn on a dark screen are dark on light paper.
+async function printedFromADarkScreen(page) {
+  await drop(page, sample);
+  await page.emulateMedia({colorScheme: 'dark'});
+  await page.waitForFunction(() => document.documentElement.classList.contains('drawn-dark'));
+  await page.evaluate(() => new Promise(done => { setTimeout(done, 500); }));  // models are drawn when the engine answers
+  const canvas = '#chart-area canvas';
+  await page.evaluate(async name => { window.picture = await createImageBitmap(document.querySelector(name)); }, canvas);
+  await page.emulateMedia({media: 'print', colorScheme: 'dark'});
+  const [light, darkest] = await page.evaluate(name => {
+    const {picture} = window, pen = Object.assign(document.createElement('canvas'), {width: picture.width, height: picture.height}).getContext('2d');
+    pen.fillStyle = 'white';
+    pen.fillRect(0, 0, picture.width, picture.height);
+    pen.filter = getComputedStyle(document.querySelector(name)).filter;
+    pen.drawImage(picture, 0, 0);
+    // of the key, where no lines of the grid are
+    const {data} = pen.getImageData(0, 0, picture.width, 30), tones = [];
+    for (let i = 0; i < data.length; i += 4) tones.push((data[i] + data[i + 1] + data[i + 2]) / 3);
+    return [tones.filter(tone => tone > 230).length / tones.length, tones.reduce((least, tone) => Math.min(least, tone), 255)];
+  }, canvas);
+  expect(light > .8 && darkest < 100, `printed from a dark screen, a picture is light in ${(100 * light).toFixed(0)} % of its points; its ink has ${darkest}`);
+  await page.emulateMedia({media: null, colorScheme: null});
+}
+
 async function storedResults(page) {
   const stored = path.join(folder, 'stored.json');
   fs.writeFileSync(stored, run(['fit', sample[0], '--models=c', '--radius=9.3 mm', '--format=json']));
@@ -380,7 +404,7 @@ async function main() {
   page.on('pageerror', error => told.push(error.message));
   await page.goto(address);
   await page.waitForFunction(() => window.explorer);
-  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, slidingCut, approachData, pullOff, fittedToughness, printed, storedResults])
+  for (const part of [runsToldApart, underThePointer, copiedAndSaved, crop, behindTheSliders, heldApproach, inDegrees, explained, otherModels, remedies, slidingCut, approachData, pullOff, fittedToughness, printed, printedFromADarkScreen, storedResults])
     await part(page).catch(error => failures.push(`${part.name}: ${error.stack}`));
   expect(told.length === 0, `the console says: ${told.join('; ')}`);
   console.log(`painted after ${paint.toFixed(0)} ms, ready after ${ready.toFixed(0)} ms`);

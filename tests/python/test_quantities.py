@@ -92,6 +92,10 @@ def astropy_table(P, T, A):
     return table
 
 
+def astropy_table_with_headings(P, T, A):
+    return pytest.importorskip("astropy.table").Table({"P [mN]": P, "T [mN]": T, "A [mm^2]": A})
+
+
 def astropy_qtable(P, T, A):
     return pytest.importorskip("astropy.table").QTable(astropy_table(P, T, A))
 
@@ -108,7 +112,7 @@ def test_arrays_of_pint_pandas_are_columns(mergel, truth):
     assert fitted(mixity.Dataset(**columns, **SPHERE)) == pytest.approx(truth, rel=1e-9)
 
 
-@pytest.mark.parametrize("made", [pint_pandas, polars, pyarrow, structured, astropy_table, astropy_qtable, xarray])
+@pytest.mark.parametrize("made", [pint_pandas, polars, pyarrow, structured, astropy_table, astropy_table_with_headings, astropy_qtable, xarray])
 def test_frames_of_any_kind(made, mergel, truth):
     frame = made(mergel.P, mergel.T, mergel.A)
     assert fitted(mixity.from_frame(frame, **SPHERE)) == pytest.approx(truth, rel=1e-9)
@@ -125,6 +129,17 @@ def test_missing_values_are_left_out(mergel):
     ):
         data = mixity.from_frame(frame, **SPHERE)
         assert len(data) == len(mergel) - 1 and data.excluded[0][0] == 2
+
+
+@pytest.mark.parametrize("made", [astropy_table, astropy_table_with_headings, astropy_qtable])
+def test_masked_values_of_astropy_tables_are_left_out(made, mergel):
+    from astropy.table import Table
+
+    masked = Table(astropy_table(mergel.P, mergel.T, mergel.A) if made is astropy_qtable else made(mergel.P, mergel.T, mergel.A), masked=True)
+    area = next(name for name in masked.colnames if name.startswith("A"))
+    masked[area].mask[0] = True
+    data = mixity.from_frame(type(made(mergel.P, mergel.T, mergel.A))(masked), **SPHERE)
+    assert len(data) == len(mergel) - 1 and data.excluded[0][0] == 2
 
 
 def test_matrices_of_one_column_are_columns(mergel, truth):

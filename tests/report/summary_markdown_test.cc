@@ -35,6 +35,21 @@ TEST(SummaryMarkdown, OfAShippedDataSet) {
   expect_golden_text(summary(shipped("mergel2018")), "summary_mergel2018.md");
 }
 
+TEST(SummaryMarkdown, OfSeveralSetsBeginsWithATableThatComparesThem) {
+  const Analysis good = example(FitStatus::ok), none = example(FitStatus::not_identifiable);
+  const ReportedData first = without_figures(good, "a"), second = without_figures(none, "b");
+  const std::string text =
+      summary_markdown({{"mixity report", {}}, {{&first, &first, {}}, {&second, &second, {}}}, {}});
+  EXPECT_TRUE(text.starts_with(
+      "# Mode-mixity fits\n\n"
+      "| Data set | Best model | Parameters | Status |\n|---|---|---|---|\n"
+      "| example; 40 points, in 2 loading runs; provenance: measured | c; Papangelo-Ciavarella 2019 | "
+      "lambda = 0.002346 ± 0.000012 | ok |\n"
+      "| example; 40 points, in 2 loading runs; provenance: measured |  |  | **no fit has a value** |\n\n"
+      "## example\n"))
+      << text;
+}
+
 TEST(SummaryMarkdown, ForeignTextDoesNotBreakTheTable) {
   Analysis result = example(FitStatus::ok);
   result.data.name = "a|b_c*d";

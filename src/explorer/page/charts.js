@@ -144,10 +144,26 @@ export function removeHandles({chart, handles}) {
   handles.clear();
 }
 
-/// Called when the colours change: light, dark.
+const dark = matchMedia('(prefers-color-scheme: dark)');
+const drawnDark = () => document.documentElement.classList.toggle('drawn-dark', dark.matches);
+drawnDark();
+
+/// Called when the colours change: light, dark. Not by printing, which does not wait for pictures: the style sheet inverts
+/// those that were drawn dark.
 export function onTheme(redraw) {
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+  let printing = false, changed = false;
+  const changes = () => {
+    changed = printing;
+    if (printing) return;
+    drawnDark();
     for (const entry of charts) entry.frame();
     redraw();
+  };
+  dark.addEventListener('change', changes);
+  addEventListener('beforeprint', () => { printing = true; });
+  addEventListener('afterprint', () => {
+    printing = false;
+    if (changed && document.documentElement.classList.contains('drawn-dark') !== dark.matches) changes();
+    changed = false;
   });
 }

@@ -26,11 +26,13 @@ def _of_attributes(value):
 
 def _within(value):
     """The quantity that a column or an xarray array holds; anything else unchanged."""
+    if hasattr(value, "quantity") and hasattr(value, "unit"):  # a column of an astropy table, whose quantity has no mask
+        if value.unit is None:
+            return value
+        return (value.astype(np.float64).filled(np.nan) if hasattr(value, "filled") else value).quantity
     values = getattr(value, "array", value)  # of a pandas Series
     if hasattr(values, "quantity"):  # pint-pandas
         return values.quantity
-    if hasattr(value, "quantity") and getattr(value, "unit", None) is not None:  # a column of an astropy table
-        return value.quantity
     if hasattr(value, "dims") and is_quantity(getattr(value, "data", None)):
         return value.data
     return value

@@ -77,23 +77,9 @@ std::string answer_section(const Answer& answer, const Dataset& data, const std:
 }
 
 std::string table_of_fits(const Analysis& result) {
-  std::string text, rows;
+  std::string text;
   for (const std::string& one : findings(result)) text += element("p", sentence(one));
-  const FitTable fits = fit_table(result);
-  for (const auto& row : fits.rows) {
-    std::string cells;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      Attributes attributes;
-      if (row[column].alert) attributes.emplace_back("class", "alert");
-      if (column == 0) attributes.emplace_back("scope", "row");
-      if (!row[column].lines.empty()) attributes.emplace_back("data-label", fits.headings[column]);
-      std::string lines;
-      for (const std::string& line : row[column].lines) lines += element("div", sentence(line));
-      cells += element(column == 0 ? "th" : "td", lines, attributes);
-    }
-    rows += element("tr", cells);
-  }
-  return text + table_of("fits", fits.headings, rows);
+  return text + table_of_cells(fit_table(result));
 }
 
 std::string budgets(const Analysis& result) {

@@ -6,7 +6,6 @@
 #include "report/figures/layout.h"
 #include "report/figures/svg.h"
 #include "report/figures/svg_text.h"
-#include "report/fit_table.h"
 #include "report/page/sentence.h"
 #include "report/page/style.h"
 
@@ -46,6 +45,27 @@ std::string table_of(const char* css_class, const std::vector<std::string>& head
                  (caption.empty() ? "" : text_element("caption", caption)) + element("thead", element("tr", head)) +
                      element("tbody", rows),
                  {{"class", css_class}});
+}
+
+std::string table_of_cells(const FitTable& table, const std::vector<std::string>& targets) {
+  std::string rows;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
+    std::string cells;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      Attributes attributes;
+      if (row[column].alert) attributes.emplace_back("class", "alert");
+      if (column == 0) attributes.emplace_back("scope", "row");
+      if (!row[column].lines.empty()) attributes.emplace_back("data-label", table.headings[column]);
+      std::string lines;
+      for (const std::string& line : row[column].lines)
+        lines += element("div",
+                         column == 0 && lines.empty() && !targets.empty() ? link_to(targets[i], line) : sentence(line));
+      cells += element(column == 0 ? "th" : "td", lines, attributes);
+    }
+    rows += element("tr", cells);
+  }
+  return table_of("fits", table.headings, rows);
 }
 
 std::string folded_section(const std::string& title, const std::string& content) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/figures/figure.h"
+#include "report/fit_table.h"
 
 namespace mixity {
 
@@ -23,6 +24,10 @@ std::string definitions_of(const std::vector<std::pair<std::string, std::string>
 /// `rows`: markup with as many cells in each row as there are headings.
 std::string table_of(const char* css_class, const std::vector<std::string>& headings, const std::string& rows,
                      const std::string& caption = {});
+
+/// The table of fits, or of data sets, that a phone shows as a list. `targets`: what the first line of each row links
+/// to.
+std::string table_of_cells(const FitTable& table, const std::vector<std::string>& targets = {});
 /// A section that is folded until a reader opens it.
 std::string folded_section(const std::string& title, const std::string& content);
 

@@ -4,6 +4,7 @@
 #include "report/page/data_set_section.h"
 #include "report/page/document.h"
 #include "report/report.h"
+#include "report/set_table.h"
 
 namespace mixity {
 namespace {
@@ -20,18 +21,16 @@ std::string reproduction(const std::string& command) {
 }  // namespace
 
 std::string report_page(const ReportContent& content) {
-  std::vector<std::string> names;
-  std::string links, sections;
+  std::vector<std::string> targets;
+  std::string sections;
   for (const ReportEntry& entry : content.entries) {
-    names.push_back(entry.shown->result.data.title());
-    links += link_to("#" + entry.shown->stem, names.back());
+    targets.push_back("#" + entry.shown->stem);
     sections += data_set_section(content, entry);
   }
-  const bool inside = content.figures_inside, alone = names.size() == 1;
-  const std::string title = alone ? names.front() : counted(names.size(), "data set");
+  const bool inside = content.figures_inside, alone = targets.size() == 1;
+  const std::string title = alone ? content.entries[0].shown->result.data.title() : counted(targets.size(), "data set");
   std::string header =
       text_element("h1", title) + text_element("p", "Mode-mixity fits by mixity " MIXITY_VERSION, "soft");
-  if (inside && !alone) header += element("nav", links);
   if (!inside)
     header += text_element("p", "The figures lie in the folder figures beside this page" +
                                     std::string(alone ? "" : " and are shown where a data set is opened") +
@@ -42,6 +41,7 @@ std::string report_page(const ReportContent& content) {
                           ": other constants, other loads, points left out, a file of your own.",
                       {{"class", "files"}});
   if (!content.drawn.missing.empty()) header += text_element("p", content.drawn.missing, "banner");
+  if (!alone) header += table_of_cells(set_table(content), targets);
   return html_page(
       title,
       element("header", header) + element("main", sections) + element("footer", reproduction(content.settings.command)),

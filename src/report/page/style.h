@@ -29,7 +29,6 @@ h3 { font-size: 1.05rem; margin: 1.8rem 0 .6rem; break-after: avoid; }
 p { margin: .4rem 0; max-width: 48rem; overflow-wrap: anywhere; }
 ul { margin: .4rem 0; padding-left: 1.2rem; max-width: 48rem; overflow-wrap: anywhere; }
 a { color: var(--color-2); }
-nav { display: flex; flex-wrap: wrap; gap: 0 1rem; }
 code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; overflow-wrap: anywhere; }
 .soft { color: var(--soft); }
 .banner { background: var(--warn); border-left: 5px solid var(--color-5); padding: .6rem .9rem; margin: .6rem 0; max-width: 48rem; }
@@ -100,12 +99,12 @@ summary { cursor: pointer; }
   /* three figures in a row, captions small: a data set fills five pages at most */
   body { max-width: none; padding: 0; font-size: 8.5pt; line-height: 1.35; }
   p, ul, dl, .banner { max-width: none; }
-  nav, .files { display: none; }
+  .files { display: none; }
   ::details-content { content-visibility: visible; block-size: auto; }
   summary { list-style: none; }
   h1 { font-size: 13pt; }
   h2 { font-size: 12pt; margin: 3mm 0 2mm; padding-top: 1mm; }
-  section + section { break-before: page; }
+  section + section, header:has(.fits) + main > section { break-before: page; }
   h3, h4, .part > summary { break-after: avoid; margin: 3mm 0 1mm; font-size: 9.5pt; }
   .part > summary { padding: 1.5mm 0; }
   .part[open] { padding-bottom: 2mm; }

@@ -105,6 +105,17 @@ TEST(ReportOfManySets, NamesEveryFigureForThoseWhoCannotSeeIt) {
   for (const std::string& name : names) EXPECT_GT(name.size(), 5u);
 }
 
+TEST(ReportOfSeveralSets, BeginsWithATableThatComparesThemAndLinksToEach) {
+  for (const TwoSets* report : {&few(), &many()}) {
+    const std::string header = report->page().substr(0, report->page().find("</header>"));
+    for (const char* cell :
+         {"<a href=\"#m\">mergel2018</a>", "<a href=\"#w\">waters_guduru2010</a>",
+          "<div>λ = 0.002306 ± 0.000011 (0.002285 .. 0.002328)</div>", "<div>provenance: reconstructed</div>"})
+      EXPECT_NE(header.find(cell), std::string::npos) << cell;
+    for (const char* stem : {"m", "w"}) EXPECT_EQ(report->count(" id=\"" + std::string(stem) + '"'), 1u);
+  }
+}
+
 TEST(ReportOfFewSets, HoldsItsFiguresAndNeedsNoOtherFile) {
   EXPECT_EQ(few().count("<img"), 0u);
   EXPECT_GE(few().count("<svg"), few().count("<figure"));
