@@ -31,7 +31,7 @@ double as_decimal(double value) {
 std::string significant(double value, int digits) { return written(value, std::chars_format::general, digits); }
 
 std::string rounded(double value, int digits) {
-  const std::string general = significant(value, digits);
+  const std::string general = significant(value == 0 ? 0.0 : value, digits);  // never -0
   if (general.find("e+") == std::string::npos) return general;
   double shown = 0;
   std::from_chars(general.data(), general.data() + general.size(), shown);

@@ -30,7 +30,12 @@ std::string interval_text(const FittedParameter& parameter) {
   if (!parameter.interval) return {};
   const ShownInterval& interval = *parameter.interval;
   const double width = interval.low && interval.high ? *interval.high - *interval.low : 0;
-  return "   " + rounded(100 * interval.confidence, 4) + "% " + ends_text(interval, width, "?", " (bound)");
+  // That of the causes of failed tests need not include a value that is not believed.
+  const bool apart =
+      interval.method == "explanations" && parameter.value &&
+      ((interval.low && *parameter.value < *interval.low) || (interval.high && *parameter.value > *interval.high));
+  return "   " + rounded(100 * interval.confidence, 4) + "% " + ends_text(interval, width, "?", " (bound)") +
+         (apart ? " if a cause is fitted" : "");
 }
 
 std::string estimated_errors(const StandardErrors& errors, const DisplayUnits& units) {

@@ -14,7 +14,8 @@ std::string to_text(const Analysis& result);
 
 /// "0.00228 .. 0.00233", rounded to `width`. `open` replaces an open end, `bound` follows one at a bound.
 std::string ends_text(const ShownInterval& interval, double width, const char* open, const char* bound);
-/// "   95% 0.00228 .. 0.00233", rounded to the interval's own width.
+/// "   95% 0.00228 .. 0.00233", rounded to the interval's own width. If the value is not believed and lies outside,
+/// since the interval is that of possible causes: "   95% 0.00228 .. 0.00233 if a cause is fitted".
 std::string interval_text(const FittedParameter& parameter);
 /// "0.9999", or the reason why there is none.
 std::string shown_r2(const std::optional<double>& r2);

@@ -17,6 +17,8 @@ TEST(NumberText, RoundedAvoidsExponentsAReaderDoesNotNeed) {
   EXPECT_EQ(rounded(0, 3), "0");
 }
 
+TEST(NumberText, RoundedHasNoNegativeZero) { EXPECT_EQ(rounded(-0.0, 3), "0"); }
+
 TEST(NumberText, RoundingErrorsOfDifferencesAreZero) {
   EXPECT_EQ(rounded_difference(-5.7e-17, 0.45, 3), "0");
   EXPECT_EQ(rounded_difference(5.7e-12, 0.45, 3), "5.7e-12");

@@ -150,6 +150,15 @@ TEST(FitStatisticsText, IntervalsAreRoundedToTheirOwnWidth) {
   EXPECT_EQ(interval_text(parameter), "   68.27% 0.50000012 .. 0.50000045");
 }
 
+TEST(FitStatisticsText, AnIntervalOfCausesThatExcludesTheValueSaysSo) {
+  FittedParameter parameter{"lambda", 0.5, 0.1, 0, 1};
+  parameter.interval = found(0.6, 0.8);
+  parameter.interval->method = "explanations";
+  EXPECT_EQ(interval_text(parameter), "   95% 0.6 .. 0.8 if a cause is fitted");
+  parameter.value = 0.7;
+  EXPECT_EQ(interval_text(parameter), "   95% 0.6 .. 0.8");
+}
+
 /// Errors that the scatter belies are said so; those that it bears out are not.
 TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
   FitResult fit = example().fits[0];
