@@ -6,6 +6,7 @@
 #include "fitting/consistency.h"
 #include "mechanics/contact_model.h"
 #include "statistics/distributions.h"
+#include "statistics/line_fit.h"
 
 namespace mixity {
 
@@ -13,24 +14,18 @@ std::optional<CircleTest> test_circle(const Dataset& data, const FitResult& fit)
   constexpr double kFewest = 8;
   if (data.axes.empty() || !data.has_loads || is_elliptic(fit.model)) return std::nullopt;
   const PointPlaces places(data);
-  double n = 0, s = 0, q = 0, ss = 0, sq = 0, qq = 0;
-  std::vector<std::size_t> measured;
-  for (const std::size_t i : fit.used)
-    if (std::isfinite(data.axes[i].q)) measured.push_back(i);
-  for (const std::size_t i : measured) {
-    n += 1;
-    s += places.at(i).stretch;
-    q += data.axes[i].q;
+  std::vector<double> stretches, ratios;
+  for (const std::size_t i : fit.used) {
+    if (!std::isfinite(data.axes[i].q)) continue;
+    stretches.push_back(places.at(i).stretch);
+    ratios.push_back(data.axes[i].q);
   }
-  for (const std::size_t i : measured) {
-    const double x = places.at(i).stretch - s / n, y = data.axes[i].q - q / n;
-    ss += x * x;
-    sq += x * y;
-    qq += y * y;
-  }
-  if (n < kFewest || !(ss > 0)) return std::nullopt;
-  const double slope = sq / ss, left = std::max(qq - slope * sq, 0.0), error = std::sqrt(left / (n - 2) / ss);
-  return CircleTest{std::exp(slope), error > 0 ? student_p_value(slope / error, n - 2) : slope == 0 ? 1.0 : 0.0};
+  const LineFit line = fit_line(stretches, ratios);
+  if (line.n < kFewest || !(line.xx > 0)) return std::nullopt;
+  const double error = *line.slope_stderr();
+  return CircleTest{std::exp(line.slope), error > 0         ? student_p_value(line.slope / error, line.n - 2)
+                                          : line.slope == 0 ? 1.0
+                                                            : 0.0};
 }
 
 bool is_no_circle(const FitResult& fit) {

@@ -1,11 +1,12 @@
 #include "fitting/pull_off_course.h"
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "dataset/pull_off.h"
 #include "fitting/consistency.h"
 #include "statistics/distributions.h"
+#include "statistics/line_fit.h"
 
 namespace mixity {
 
@@ -15,26 +16,17 @@ std::optional<PullOffTest> test_pull_off(const Dataset& data, const FitResult& f
   const auto n = static_cast<double>(r.size());
   const double largest = largest_pull_off(data).shear;
   if (n < kFewest || r.size() != data.pull_off.size() || !(largest > 0)) return std::nullopt;
-  double s = 0, mean = 0, squares = 0, ss = 0, sr = 0;
-  const auto place = [&](std::size_t i) { return std::pow(data.pull_off[i].shear / largest, 2); };
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    s += place(i) / n;
-    mean += r[i] / n;
-    squares += r[i] * r[i];
-  }
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    ss += std::pow(place(i) - s, 2);
-    sr += (place(i) - s) * (r[i] - mean);
-  }
-  const double explained = n * mean * mean + (ss > 0 ? sr * sr / ss : 0), left = std::max(squares - explained, 0.0),
-               freedom = n - kDirections;
+  std::vector<double> places;
+  for (const PullOffReading& one : data.pull_off) places.push_back(std::pow(one.shear / largest, 2));
+  const LineFit line = fit_line(places, r);
+  const double explained = n * line.mean_y * line.mean_y + line.slope * line.slope * line.xx, freedom = n - kDirections;
   // What is far smaller than a stated error, or is rounding, does not count.
   constexpr double kSmall = 0.25, kRounding = 1e-6;
   const double size = std::sqrt(explained / n), of_load = fit.errors ? size * fit.errors->pull_off : 0;
   const bool counts =
       size > kSmall && (without_pull_off_error(data) == 0 || of_load > kRounding * largest_pull_off(data).load);
-  if (!counts || !(left > 0)) return PullOffTest{0, counts ? 0.0 : 1.0};
-  const double F = explained / kDirections / (left / freedom);
+  if (!counts || !(line.squares > 0)) return PullOffTest{0, counts ? 0.0 : 1.0};
+  const double F = explained / kDirections / (line.squares / freedom);
   return PullOffTest{F, fisher_p_value(F, kDirections, freedom)};
 }
 

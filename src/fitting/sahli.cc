@@ -4,38 +4,10 @@
 #include <cmath>
 
 #include "mechanics/contact_model.h"
+#include "statistics/line_fit.h"
 
 namespace mixity {
 namespace {
-
-/// y = intercept + slope x by least squares.
-struct Line {
-  double intercept, slope;
-  std::optional<double> intercept_stderr, slope_stderr;  // null with fewer than three points
-};
-
-/// Null if all x are equal.
-std::optional<Line> fit_line(const std::vector<double>& x, const std::vector<double>& y) {
-  const double n = static_cast<double>(x.size());
-  double mean_x = 0, mean_y = 0, sxx = 0, sxy = 0, squares = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / n;
-    mean_y += y[i] / n;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sxx += (x[i] - mean_x) * (x[i] - mean_x);
-    sxy += (x[i] - mean_x) * (y[i] - mean_y);
-  }
-  if (!(sxx > 0)) return std::nullopt;
-  Line line{0, sxy / sxx, {}, {}};
-  line.intercept = mean_y - line.slope * mean_x;
-  if (x.size() < 3) return line;
-  for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(y[i] - line.intercept - line.slope * x[i], 2);
-  const double variance = squares / (n - 2);
-  line.slope_stderr = std::sqrt(variance) / std::sqrt(sxx);  // sxx may be as small as doubles go
-  line.intercept_stderr = std::sqrt(variance * (1 / n + mean_x * mean_x / sxx));
-  return line;
-}
 
 std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool predicted) {
   std::vector<double> x, y;
@@ -45,9 +17,9 @@ std::optional<PowerLaw> fit_power_law(const std::vector<SahliRun>& runs, bool pr
     x.push_back(std::log(run.A0));
     y.push_back(std::log(alpha));
   }
-  const auto line = fit_line(x, y);
-  if (!line) return std::nullopt;
-  return PowerLaw{std::exp(line->intercept), line->slope, line->slope_stderr};
+  const LineFit line = fit_line(x, y);
+  if (!(line.xx > 0)) return std::nullopt;
+  return PowerLaw{std::exp(line.intercept()), line.slope, line.slope_stderr()};
 }
 
 }  // namespace
@@ -72,13 +44,13 @@ SahliResult fit_sahli(const Dataset& data, double upto, std::string_view model, 
       squares.push_back(point.T * point.T);
       areas.push_back(point.A);
     }
-    const auto line = fit_line(squares, areas);
-    if (!line) {
+    const LineFit line = fit_line(squares, areas);
+    if (!(line.xx > 0)) {
       result.skipped.push_back(data.curves[c]);
       continue;
     }
-    result.runs.push_back({data.curves[c], data.curve_loads[c], squares.size(), line->intercept, -line->slope,
-                           line->intercept_stderr, line->slope_stderr, predicted(line->intercept)});
+    result.runs.push_back({data.curves[c], data.curve_loads[c], squares.size(), line.intercept(), -line.slope,
+                           line.intercept_stderr(), line.slope_stderr(), predicted(line.intercept())});
   }
   result.power_law = fit_power_law(result.runs, false);
   result.predicted_power_law = fit_power_law(result.runs, true);

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "fitting/consistency.h"
 #include "fitting/predicted_curves.h"
+#include "fitting/standard_errors.h"
 #include "fitting/stated_constants.h"
 #include "report/fit_fields.h"
 #include "report/fit_text.h"
@@ -232,9 +233,7 @@ std::string resampling_text(const FitResult& fit, const Dataset& data) {
 }
 
 std::string area_error_text(double error, const Dataset& data) {
-  double largest = 0;
-  for (const Point& point : data.points) largest = std::max(largest, point.A * data.display.area_scale);
-  return rounded_difference(error, largest, 3);
+  return rounded_difference(error, largest_value(data, &Point::A) * data.display.area_scale, 3);
 }
 
 std::string comparison_text(const Analysis& result) {
