@@ -3,14 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "mechanics/contact_model.h"
+#include "report/json.h"
 
 namespace mixity::explorer {
-
-using Json = nlohmann::ordered_json;
 
 /// A JSON list of get(item), or of the member `get`, for each item.
 Json list_of(const auto& items, const auto& get) {

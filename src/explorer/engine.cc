@@ -116,7 +116,7 @@ std::string fit_files(const std::string& list, const std::string& constants, con
                       emscripten::val progress) {
   return guarded([&] {
     const Analysis result = run(request_of(names_in(list), constants, options), [&](double part) { progress(part); });
-    return Json{{"fits", Json::parse(to_json({result}))},
+    return Json{{"fits", fits_document({&result, 1})},
                 {"answer", as_told(answer_of(result), result.data)},
                 {"advice", as_advised(result)},
                 {"drawn", as_drawn(result)},

@@ -1,15 +1,13 @@
 // A data set and its fit for the page, in the units of the file.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "analysis/answer.h"
 #include "analysis/result.h"
+#include "report/json.h"
 
 namespace mixity::explorer {
-
-using Json = nlohmann::ordered_json;
 
 /// How a file was read: {"reading", "taken": ["P from 'Normalkraft'"], "ignored", "notes", "excluded_count",
 /// "excluded": [{"where", "reason"}], "constants": {"radius": {"exact": "0.00942 m", "shown": "9.42 mm"}}, "notice"

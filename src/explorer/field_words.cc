@@ -66,8 +66,8 @@ std::string in_fields(const Remedy& remedy) {
   return options;
 }
 
-nlohmann::ordered_json buttons_of(const Message& message) {
-  auto buttons = nlohmann::ordered_json::array();
+Json buttons_of(const Message& message) {
+  auto buttons = Json::array();
   for (const Remedy& remedy : message.remedies())
     for (const Remedy::Choice& one : remedy.choices)
       if (const Button* const button = button_of(one))

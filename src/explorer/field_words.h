@@ -1,10 +1,10 @@
 // Remedies in the words of the page: its fields and buttons. Options with neither appear as options of the program.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/message.h"
+#include "report/json.h"
 
 namespace mixity::explorer {
 
@@ -13,6 +13,6 @@ std::string in_fields(const Remedy& remedy);
 
 /// The buttons that set what a message recommends: [{"option", "value", "label", "adds": whether the value joins a
 /// list, "reads": whether it tells how files are read, not how they are fitted}].
-nlohmann::ordered_json buttons_of(const Message& message);
+Json buttons_of(const Message& message);
 
 }  // namespace mixity::explorer

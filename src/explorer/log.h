@@ -1,15 +1,13 @@
 // The loading runs of a log for the page.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "dataset/logs/reduced_log.h"
+#include "report/json.h"
 
 namespace mixity::explorer {
-
-using Json = nlohmann::ordered_json;
 
 /// Whether these files are one or more logs rather than points: one of them looks like a log (Dataset::like_a_log), or
 /// is no data set but a recording of forces or of areas.

@@ -14,31 +14,35 @@ inline double area_of(double load) {
   return pi<double>() * a * a;
 }
 
-}  // namespace
-
-MIXITY_SIMD void areas_from_loads(std::span<double> loads) {
-  double* const load = loads.data();
-  const std::size_t n = loads.size();
+MIXITY_LOOP void to_areas(double* __restrict load, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) load[i] = load[i] > 0 ? area_of(load[i]) : 0.0;
 }
 
-MIXITY_SIMD std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
-                                          std::span<double> areas) {
+MIXITY_LOOP std::size_t closed_forms(double root_lambda, double S0, double P, const double* __restrict T,
+                                     double* __restrict area, std::size_t n) {
   const double centre = 3 * pi<double>();
   const double limit = S0 * (1 + std::numeric_limits<double>::epsilon());  // as in LoadedContact::at
-  const double* const in = T.data();
-  double* const out = areas.data();
-  const std::size_t n = T.size();
   double found = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double tau = root_lambda * in[i];
-    const bool ok = (in[i] >= 0) & (in[i] <= kLargestLoad) & (tau <= limit);
+    const double tau = root_lambda * T[i];
+    const bool ok = (T[i] >= 0) & (T[i] <= kLargestLoad) & (tau <= limit);
     const double gap = S0 - tau;
     const double root = std::sqrt((ok & (gap > 0)) ? gap * (S0 + tau) : 0.0);
-    out[i] = ok ? area_of(centre + root + P) : 0.0;
+    area[i] = ok ? area_of(centre + root + P) : 0.0;
     found += ok ? 1.0 : 0.0;
   }
   return static_cast<std::size_t>(found);
+}
+
+}  // namespace
+
+void areas_from_loads(std::span<double> loads) {
+  in_vectors([&] { to_areas(loads.data(), loads.size()); });
+}
+
+std::size_t closed_form_areas(double root_lambda, double S0, double P, std::span<const double> T,
+                              std::span<double> areas) {
+  return in_vectors([&] { return closed_forms(root_lambda, S0, P, T.data(), areas.data(), T.size()); });
 }
 
 namespace {
@@ -94,19 +98,12 @@ MIXITY_LOOP void settle(Law law, double parameter, double P, const BranchPart& p
   }
 }
 
-template <class Law>
-MIXITY_WIDE void settle_wide(Law law, double parameter, double P, const BranchPart& part, const double* T, double* y,
-                             std::size_t n) {
-  settle(law, parameter, P, part, T, y, n);
-}
-
 }  // namespace
 
 template <class Law>
 void settle_batch(Law law, double parameter, double P, const BranchPart& part, std::span<const double> T,
                   std::span<double> y) {
-  if (MIXITY_HAS_WIDE) return settle_wide(law, parameter, P, part, T.data(), y.data(), T.size());
-  settle(law, parameter, P, part, T.data(), y.data(), T.size());
+  in_vectors([&] { settle(law, parameter, P, part, T.data(), y.data(), T.size()); });
 }
 
 namespace {

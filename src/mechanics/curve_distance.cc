@@ -261,7 +261,7 @@ class Distances {
     }
     Block unmoved = block_;
     run_block<Begin::anywhere>(family_, kStepsOfSearch, derivatives_, block_, result_);
-    measure_by_two<true>(family_, unmoved, unmoved_);  // without a step
+    measure_block(family_, true, unmoved, unmoved_);  // without a step
     for (std::size_t slot = 0; slot < count; ++slot) {
       // Newton's method, started where it or a search has ended, moves only by rounding.
       const bool there = block_.at_end[slot] > 0 || (result_.stationary[slot] > 0 && result_.on_curve[slot] > 0);

@@ -185,15 +185,6 @@ MIXITY_LOOP void measure_segments(const PlanePlace* places, std::size_t n, Plane
   }
 }
 
-inline void measure_by_two(const PlanePlace* places, std::size_t n, PlanePlace point, double per_T, double per_A,
-                           double* __restrict square, double* __restrict share) {
-  measure_segments(places, n, point, per_T, per_A, square, share);
-}
-inline MIXITY_WIDE void measure_by_four(const PlanePlace* places, std::size_t n, PlanePlace point, double per_T,
-                                        double per_A, double* __restrict square, double* __restrict share) {
-  measure_segments(places, n, point, per_T, per_A, square, share);
-}
-
 /// Finds the nearest `most` approaches of the polyline `places` to `point`, in ascending order of distance.
 inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
                        std::size_t most, SegmentDistances& segments, std::vector<Approach>& found) {
@@ -201,8 +192,8 @@ inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, 
   const std::size_t n = places.size() - 1;
   segments.square.resize(n);
   segments.share.resize(n);
-  (MIXITY_HAS_WIDE ? measure_by_four : measure_by_two)(places.data(), n, point, per_T, per_A, segments.square.data(),
-                                                       segments.share.data());
+  in_vectors(
+      [&] { measure_segments(places.data(), n, point, per_T, per_A, segments.square.data(), segments.share.data()); });
   double before = std::numeric_limits<double>::infinity();
   bool nearing = true;
   const auto keep = [&](std::size_t segment) {  // the distance as its square, until all are found

@@ -10,57 +10,29 @@
 
 namespace mixity::nearest_detail {
 
-// Each stage is compiled for vectors of two doubles and of four.
-
-template <Begin kBegin, class Law>
-void start_by_two(const CurveFamily<Law>& family, Block& __restrict block) {
-  start<kBegin>(family, block);
-}
-template <Begin kBegin, class Law>
-[[gnu::flatten]] MIXITY_WIDE void start_by_four(const CurveFamily<Law>& family, Block& __restrict block) {
-  start<kBegin>(family, block);
-}
-
-template <class Law>
-void settle_by_two(const CurveFamily<Law>& family, int steps, Block& __restrict block) {
-  settle(family, block, steps);
-}
-template <class Law>
-[[gnu::flatten]] MIXITY_WIDE void settle_by_four(const CurveFamily<Law>& family, int steps, Block& __restrict block) {
-  settle(family, block, steps);
-}
-
-template <bool kDerivatives, class Law>
-void measure_by_two(const CurveFamily<Law>& family, const Block& __restrict block, Result<Law>& __restrict result) {
-  measure<kDerivatives>(family, block, result);
-}
-template <bool kDerivatives, class Law>
-[[gnu::flatten]] MIXITY_WIDE void measure_by_four(const CurveFamily<Law>& family, const Block& __restrict block,
-                                                  Result<Law>& __restrict result) {
-  measure<kDerivatives>(family, block, result);
+/// In vectors if the law has a packed form; the loops of other laws are not vectorised.
+template <class Law, class Stage>
+void run_stage(const Stage& stage) {
+  if constexpr (HasPackedForm<Law>)
+    in_vectors(stage);
+  else
+    stage();
 }
 
 template <class Law>
 void measure_block(const CurveFamily<Law>& family, bool derivatives, const Block& block, Result<Law>& result) {
-  if constexpr (HasPackedForm<Law>) {  // the loops of other laws are not vectorised
-    if (MIXITY_HAS_WIDE)
-      return derivatives ? measure_by_four<true>(family, block, result) : measure_by_four<false>(family, block, result);
-  }
-  return derivatives ? measure_by_two<true>(family, block, result) : measure_by_two<false>(family, block, result);
+  if (derivatives)
+    run_stage<Law>([&] { measure<true>(family, block, result); });
+  else
+    run_stage<Law>([&] { measure<false>(family, block, result); });
 }
 
 /// Runs all stages. Begin::anywhere skips the search for a start.
 template <Begin kBegin, class Law>
 void run_block(const CurveFamily<Law>& family, int steps, bool derivatives, Block& block, Result<Law>& result) {
-  if constexpr (HasPackedForm<Law>) {
-    if (MIXITY_HAS_WIDE) {
-      if constexpr (kBegin != Begin::anywhere) start_by_four<kBegin>(family, block);
-      settle_by_four(family, steps, block);
-      return measure_block(family, derivatives, block, result);
-    }
-  }
-  if constexpr (kBegin != Begin::anywhere) start_by_two<kBegin>(family, block);
-  settle_by_two(family, steps, block);
+  if constexpr (kBegin != Begin::anywhere) run_stage<Law>([&] { set_ends(family, block); });
+  if constexpr (kBegin == Begin::at_the_point) run_stage<Law>([&] { start(family, block); });
+  run_stage<Law>([&] { settle(family, block, steps); });
   measure_block(family, derivatives, block, result);
 }
 
@@ -92,11 +64,6 @@ MIXITY_LOOP bool fill_slots(const BlockArrays points, Block& __restrict block) {
   }
   return all != 0;
 }
-inline bool fill_by_two(const BlockArrays& points, Block& __restrict block) { return fill_slots(points, block); }
-[[gnu::flatten]] MIXITY_WIDE inline bool fill_by_four(const BlockArrays& points, Block& __restrict block) {
-  return fill_slots(points, block);
-}
-
 /// Starts all slots at these places. False if one has none.
 MIXITY_LOOP bool begin_slots(const double* __restrict T, const double* __restrict A, Block& __restrict block) {
   std::int64_t all = -1;
@@ -130,7 +97,7 @@ inline bool set_points(Block& block, const PlanePoints& points, std::size_t from
     arrays[k] = repeated[k].data();
   }
   const BlockArrays all{arrays[0], arrays[1], arrays[2], arrays[3], arrays[4]};
-  return MIXITY_HAS_WIDE ? fill_by_four(all, block) : fill_by_two(all, block);
+  return in_vectors([&] { return fill_slots(all, block); });
 }
 
 /// Replaces the derivatives in `out`, those of -F/|grad F|, by those of the distance from an end or a corner of the

@@ -23,7 +23,7 @@ struct Block {
   Packed P, T_point, A_point, sigma_T, sigma_A;  // measured
   Packed per_T, per_A;                           // 1/sigma_T, 1/sigma_A
   Packed T, A;                                   // the point on the curve
-  Packed T_end, A_end;                           // where the curve ends: Hertz, or an asymptote (T_end infinite)
+  Packed y_end, T_end, A_end;                    // where the curve ends: Hertz, or an asymptote (T_end infinite)
   Packed settled, at_end;                        // 1 or 0
 };
 
@@ -133,23 +133,28 @@ enum class Begin {
   anywhere       // like nearby, with as many steps as needed; the ends of the curves are already set
 };
 
-/// Sets the end of each curve, and the nearest of four start points: on the circle at the measured T, at the measured
-/// A, in the measured point's direction from the centre (exact on the curve, regular at the fold), and the end. T is
-/// taken as proportional to tau, which is exact for c.
-template <Begin kBegin, class Law>
-MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
-  const double centre = 3 * pi<double>();
-  const double infinite = std::numeric_limits<double>::infinity();
+/// Sets the end of each curve.
+template <class Law>
+MIXITY_LOOP void set_ends(const CurveFamily<Law> family, Block& b) {
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const double P = b.P[i], square = 2 * centre * above_pull_off(P), S0 = std::sqrt(square);
-    const CurveBounds end = curve_bounds(family, P);
-    const double y_end = end.y;
-    const bool hertz = end.T < infinite;
+    const CurveBounds end = curve_bounds(family, b.P[i]);
+    b.y_end[i] = end.y;
     b.T_end[i] = end.T;
     b.A_end[i] = end.A;
     b.settled[i] = family.uncoupled ? 1.0 : 0.0;
     b.at_end[i] = 0;
-    if constexpr (kBegin == Begin::nearby) continue;
+  }
+}
+
+/// Sets the nearest of four start points: on the circle at the measured T, at the measured A, in the measured point's
+/// direction from the centre (exact on the curve, regular at the fold), and the end. T is taken as proportional to tau,
+/// which is exact for c.
+template <class Law>
+MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
+  const double centre = 3 * pi<double>();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double P = b.P[i], square = 2 * centre * above_pull_off(P), S0 = std::sqrt(square), y_end = b.y_end[i];
     const double T = b.T_point[i], A = b.A_point[i], sT = b.sigma_T[i], sA = b.sigma_A[i];
     const double y_measured = (4 / (3 * pi<double>())) * A * std::sqrt(A * kPerPi) - P;
     const double least = y_end + 1e-3 * (centre + S0 - y_end), y = y_measured > least ? y_measured : least;
@@ -169,7 +174,7 @@ MIXITY_LOOP void start(const CurveFamily<Law> family, Block& b) {
     consider(!(room < 0), T, area_of_load(centre + std::sqrt(room > 0 ? room : 0.0) + P));
     consider(!family.uncoupled & (radius > 0) & (y_radial > y_end), T * scale, area_of_load(y_radial + P));
     consider((width >= 0) & sheared & (y_measured > least), per_tau * std::sqrt(width > 0 ? width : 0.0), A);
-    consider(hertz, b.T_end[i], b.A_end[i]);
+    consider(b.T_end[i] < infinite, b.T_end[i], b.A_end[i]);
     b.T[i] = T_best;
     b.A[i] = A_best;
   }

@@ -17,19 +17,12 @@ MIXITY_LOOP void loop(Law law, double parameter, const double* __restrict first,
   }
 }
 
-template <class Law>
-MIXITY_WIDE void wide(Law law, double parameter, const double* first, const double* second, std::size_t n,
-                      double* value, double* slope, double* curvature) {
-  loop(law, parameter, first, second, n, value, slope, curvature);
-}
-
 }  // namespace
 
 template <class Law>
 void packed_log_toughness(Law law, double parameter, const double* first, const double* second, std::size_t n,
                           double* value, double* slope, double* curvature) {
-  if (MIXITY_HAS_WIDE) return wide(law, parameter, first, second, n, value, slope, curvature);
-  loop(law, parameter, first, second, n, value, slope, curvature);
+  in_vectors([&] { loop(law, parameter, first, second, n, value, slope, curvature); });
 }
 
 namespace {

@@ -12,19 +12,37 @@ __attribute__((simd("notinbranch"))) double atan(double) noexcept;
 }
 #endif
 
-// Chooses at run time between vectors of four doubles (MIXITY_WIDE), if the processor has them, and of two.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MIXITY_WIDE __attribute__((target("avx2")))
-#define MIXITY_HAS_WIDE __builtin_cpu_supports("avx2")
-#else
-#define MIXITY_WIDE
-#define MIXITY_HAS_WIDE false
-#endif
-// The same for one function, chosen at program start. Not with sanitizers, which are not ready by then.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define MIXITY_SIMD __attribute__((target_clones("avx2", "default")))
-#else
-#define MIXITY_SIMD
-#endif
 #define MIXITY_LOOP inline __attribute__((always_inline))
+
+namespace mixity {
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// Each is compiled for its own vectors; `loop` and all that it calls is part of it.
+template <class Loop>
+[[gnu::flatten]] auto in_twos(const Loop& loop) {
+  return loop();
+}
+template <class Loop>
+[[gnu::flatten, gnu::target("avx2")]] auto in_fours(const Loop& loop) {
+  return loop();
+}
+template <class Loop>
+[[gnu::flatten, gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] auto in_eights(const Loop& loop) {
+  return loop();
+}
+
+/// Runs a loop over doubles in the widest vectors that the processor has: eight, four or two. The build allows no fused
+/// multiply-add (-ffp-contract=off), so that the width changes no result but the last digits of vector forms above.
+template <class Loop>
+auto in_vectors(const Loop& loop) {
+  if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) return in_eights(loop);
+  return __builtin_cpu_supports("avx2") ? in_fours(loop) : in_twos(loop);
+}
+#else
+template <class Loop>
+auto in_vectors(const Loop& loop) {
+  return loop();
+}
+#endif
+
+}  // namespace mixity

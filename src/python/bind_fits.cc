@@ -78,7 +78,7 @@ nb::dict shown(const FoldPrediction& fold, bool with_errors) {
 
 void bind_fits(nb::module_& m) {
   auto results = nb::class_<Analysis>(m, "Results");
-  results.def("json", [](const Analysis& result) { return to_json({result}); })
+  results.def("json", [](const Analysis& result) { return to_json(result); })
       .def("text", [](const Analysis& result) { return to_text(result); })
       .def("options", [](const Analysis& result) { return stated_options(result.request); })
       .def("models", [](const Analysis& result) { return result.request.models; })

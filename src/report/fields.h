@@ -9,8 +9,8 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,13 +18,12 @@
 
 #include "base/light_function.h"
 #include "base/message.h"
+#include "report/json.h"
 
 namespace mixity {
 
 struct FitResult;
 struct Analysis;
-
-using Json = nlohmann::ordered_json;
 
 /// The fit and the data set of a value, which determine units and line numbers; null if there is none.
 struct Within {
@@ -75,6 +74,11 @@ template <class Value>
 inline constexpr bool is_named<Named<Value>> = true;
 
 template <class Value>
+inline constexpr bool is_list = is_a<Value, std::vector>;
+template <class Value>
+inline constexpr bool is_list<std::span<Value>> = true;
+
+template <class Value>
 Json json_of(const Value& value, const Within& within = {}) {
   if constexpr (is_a<Value, IfAny>) {
     return value.value ? json_of(*value.value, within) : Json(Json::value_t::discarded);
@@ -84,7 +88,7 @@ Json json_of(const Value& value, const Within& within = {}) {
     Json object = Json::object();
     for (const auto& [name, one] : value) object[name] = json_of(one, within);
     return object;
-  } else if constexpr (is_a<Value, std::vector>) {
+  } else if constexpr (is_list<Value>) {
     Json list = Json::array();
     for (const auto& one : value) list.push_back(json_of(one, within));
     return list;
@@ -114,7 +118,7 @@ Json schema_of() {
     return {
         {"type", "object"},
         {"additionalProperties", schema_of<std::remove_cvref_t<decltype(std::declval<Value>().begin()->second)>>()}};
-  } else if constexpr (is_a<Value, std::vector>) {
+  } else if constexpr (is_list<Value>) {
     return {{"type", "array"}, {"items", schema_of<typename Value::value_type>()}};
   } else if constexpr (std::is_enum_v<Value>) {
     Json names = Json::array();  // beyond the last enumerator to_string repeats a name

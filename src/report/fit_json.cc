@@ -22,7 +22,7 @@ struct Campaign {
 };
 
 struct FitDocument {
-  const std::vector<Analysis>* results;
+  std::span<const Analysis> results;
   const Shard* shard;
 };
 
@@ -188,8 +188,7 @@ void describe(Fields<FitDocument>& field) {
     const auto& [part, files, flags] = *document.shard;
     return IfAny<Campaign>{part.empty() ? std::nullopt : std::optional(Campaign{files, flags})};
   });
-  field(
-      "datasets", "one for each data set", [](auto& document) -> auto& { return *document.results; });
+  field("datasets", "one for each data set", &FitDocument::results);
 }
 
 std::string worded(const Message& message, const Within& within) {
@@ -200,9 +199,14 @@ std::string json_text(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string to_json(const std::vector<Analysis>& results, const Shard& shard) {
-  return json_text(json_of(FitDocument{&results, &shard}));
+Json fits_document(std::span<const Analysis> results, const Shard& shard) {
+  return json_of(FitDocument{results, &shard});
 }
+
+std::string to_json(std::span<const Analysis> results, const Shard& shard) {
+  return json_text(fits_document(results, shard));
+}
+std::string to_json(const Analysis& result) { return to_json({&result, 1}); }
 
 Json fits_schema() { return schema_of<FitDocument>(); }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,11 @@ struct ShardNumber {
 /// Null for any other text.
 std::optional<ShardNumber> shard_number(const std::string& text);
 
-/// {schema, version, datasets: [...]}, indented, with a final newline.
-std::string to_json(const std::vector<Analysis>& results, const Shard& shard = {});
+/// {schema, version, datasets: [...]}.
+Json fits_document(std::span<const Analysis> results, const Shard& shard = {});
+/// The same as text, indented, with a final newline.
+std::string to_json(std::span<const Analysis> results, const Shard& shard = {});
+std::string to_json(const Analysis& result);
 
 /// The schemas of to_json and of a report's results.json.
 Json fits_schema();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -16,6 +15,7 @@
 #include "report/csv_table.h"
 #include "report/figures/drawn_figures.h"
 #include "report/figures/log_figures.h"
+#include "report/json.h"
 
 namespace mixity {
 namespace {
@@ -136,7 +136,7 @@ std::string runs_toml(const ReducedLogs& logs) {
 }
 
 std::string log_json(const ReducedLogs& logs) {
-  nlohmann::ordered_json times = nlohmann::ordered_json::array(), lags = times;
+  Json times = Json::array(), lags = times;
   for (const ReducedLog& log : logs) {
     const auto add_times = [&](const std::string& file, const TimeBase& clock) {
       times.push_back({{"file", file},
@@ -147,7 +147,7 @@ std::string log_json(const ReducedLogs& logs) {
     add_times(log.forces.path, log.forces.clock);
     if (log.areas_path != log.forces.path) add_times(log.areas_path, log.areas_clock);
     const Frames& frames = log.runs.frames;
-    nlohmann::ordered_json lag{{"value_s", frames.lag}, {"stderr_s", frames.lag_error}, {"source", frames.lag_source}};
+    Json lag{{"value_s", frames.lag}, {"stderr_s", frames.lag_error}, {"source", frames.lag_source}};
     if (!frames.lag_parts.empty()) {
       lag["interval_s"] = {{"low", frames.lag_low}, {"high", frames.lag_high}};
       lag["disagree"] = frames.lags_disagree;
@@ -157,7 +157,7 @@ std::string log_json(const ReducedLogs& logs) {
     }
     lags.push_back(std::move(lag));
   }
-  nlohmann::ordered_json json{{"times", times}, {"lag", lags.front()}};
+  Json json{{"times", times}, {"lag", lags.front()}};
   for (const InputFile& file : logs.front().inputs)
     json["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"xxh128", file.hash}});
   if (logs.size() > 1) json["lags"] = lags;  // of each log

@@ -3,7 +3,7 @@
 set(MIXITY_UTF8PROC_SOURCE "" CACHE PATH "Folder that holds utf8proc.c")
 set(headers ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${headers})
-foreach(name boost eigen3 nlohmann toml++ utf8proc.h pugixml.hpp pugiconfig.hpp xxhash.h xxh3.h mrpt/expr/include/mrpt/3rdparty/exprtk.hpp)
+foreach(name boost eigen3 nlohmann toml++ utf8proc.h pugixml.hpp pugiconfig.hpp xxhash.h xxh3.h fast_float mrpt/expr/include/mrpt/3rdparty/exprtk.hpp)
   cmake_path(GET name FILENAME linked)
   file(CREATE_LINK /usr/include/${name} ${headers}/${linked} SYMBOLIC)
 endforeach()
@@ -23,6 +23,7 @@ target_link_libraries(browser_headers INTERFACE utf8proc)
 add_library(mixity_warnings INTERFACE)
 
 add_compile_options(-O2 -fwasm-exceptions -msimd128)
+add_compile_definitions(BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)  # long double has 128 bits there, all in software
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:SHELL:-include\ ${PROJECT_SOURCE_DIR}/src/explorer/standard_library.h>)
 # Most of the time goes into headers that several files share.
 set(CMAKE_UNITY_BUILD ON)
