@@ -58,6 +58,40 @@ nb::tuple with_band(const std::vector<AreaPrediction>& found, double unit, doubl
 
 }  // namespace
 
+/// Bytes that are not UTF-8 are replaced.
+nb::object text_of(const std::string& text) {
+  return nb::steal(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+/// JSON as Python's own objects. As in its text, NaN and infinity are null.
+nb::object object_of(const Json& json) {
+  switch (json.type()) {
+    case Json::value_t::object: {
+      nb::dict object;
+      for (const auto& [name, value] : json.items()) object[text_of(name)] = object_of(value);
+      return object;
+    }
+    case Json::value_t::array: {
+      nb::list list;
+      for (const Json& value : json) list.append(object_of(value));
+      return list;
+    }
+    case Json::value_t::string:
+      return text_of(json.get_ref<const std::string&>());
+    case Json::value_t::boolean:
+      return nb::bool_(json.get<bool>());
+    case Json::value_t::number_integer:
+    case Json::value_t::number_unsigned:
+      return nb::int_(json.get<std::int64_t>());
+    case Json::value_t::number_float: {
+      const double number = json.get<double>();
+      return std::isfinite(number) ? nb::object(nb::float_(number)) : nb::none();
+    }
+    default:
+      return nb::none();
+  }
+}
+
 nb::dict shown(const FoldPrediction& fold, bool with_errors) {
   nb::dict one;
   const auto add = [&](const char* name, const char* error, const Derived& number) {
@@ -78,7 +112,10 @@ nb::dict shown(const FoldPrediction& fold, bool with_errors) {
 
 void bind_fits(nb::module_& m) {
   auto results = nb::class_<Analysis>(m, "Results");
-  results.def("json", [](const Analysis& result) { return to_json(result); })
+  results.def("document",
+              [](const Analysis& result) {
+                return object_of(fits_document({&result, 1}));
+              })
       .def("text", [](const Analysis& result) { return to_text(result); })
       .def("options", [](const Analysis& result) { return stated_options(result.request); })
       .def("models", [](const Analysis& result) { return result.request.models; })

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import json
 from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 import numpy as np
@@ -288,7 +287,7 @@ class Fits:
     @property
     def _document(self) -> dict[str, Any]:
         if self._read is None:
-            self._read = json.loads(self._results.json())
+            self._read = self._results.document()
         return self._read
 
     def to_dict(self) -> dict[str, Any]:
