@@ -30,6 +30,8 @@ FittedParameter readable(FittedParameter parameter) {
     parameter.prior->mean *= shown.factor;
     parameter.prior->standard_error *= shown.factor;
   }
+  if (parameter.profile)
+    for (auto& point : parameter.profile->points) point.first *= shown.factor;
   parameter.unit = shown.unit;
   return parameter;
 }

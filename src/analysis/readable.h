@@ -8,7 +8,7 @@
 
 namespace mixity {
 
-/// The parameter in a unit that suits its value: MPa rather than Pa. Its profile keeps the old unit.
+/// The parameter in a unit that suits its value: MPa rather than Pa.
 FittedParameter readable(FittedParameter parameter);
 
 /// "not converged" for not_converged.

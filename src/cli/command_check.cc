@@ -24,10 +24,6 @@ int run_check(const Arguments& arguments) {
     text += found.text;
     usable &= found.usable;
     files.push_back(found.file);
-    if (!found.missing) return;
-    write_outputs(definition_to_save(files));
-    std::cout << text << saved_text() << std::flush;
-    throw *found.missing;
   };
   if (FLAGS_pool) {
     const std::vector<RunFile> runs = pooled_files(arguments);

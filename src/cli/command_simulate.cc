@@ -28,8 +28,8 @@ int run_simulate(const Arguments& arguments) {
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Point& point = data.points[i];
     table << csv_field(data.curves[point.curve]) << ',' << shortest(as_decimal(point.P * data.held_scale())) << ','
-          << shortest(point.T * force) << ',' << shortest(point.A * area) << ',' << shortest(data.errors[i].T * force)
-          << ',' << shortest(data.errors[i].A * area);
+          << shortest(point.T * force) << ',' << shortest(point.A * area) << ','
+          << shortest(as_decimal(data.errors[i].T * force)) << ',' << shortest(as_decimal(data.errors[i].A * area));
     if (!data.axes.empty()) {
       const double mean = std::sqrt(point.A * area / pi<double>()), ratio = std::exp(0.5 * data.axes[i].q),
                    share = data.axes[i].sigma_q / std::sqrt(2.0);

@@ -29,7 +29,7 @@ void take_largest_as_unit(const std::string& metadata_path, Dataset& data) {
   double largest = 0;
   for (const PointEnergies& energies : data.energies) largest = std::max(largest, energies.G_I);
   if (!in_range(largest) || !in_range(largest * data.display.energy_scale))
-    throw InputError(data.path, "needs toughness to be made dimensionless, as no G_I lies above 0" +
+    throw InputError(data.path, "the constant toughness is missing, and no G_I above 0 can stand for it" +
                                     Remedy::state({"toughness"}, metadata_path));
   data.display.energy_scale *= largest;
   std::vector<std::string_view> reasons(data.points.size());

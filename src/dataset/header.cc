@@ -59,7 +59,8 @@ std::vector<double> demand(const std::vector<std::pair<std::string, std::optiona
     missing.push_back(name);
   }
   if (missing.empty()) return values;
-  throw MissingConstants(path, "needs " + names + " to be made dimensionless" + Remedy::state(missing, metadata_path));
+  const std::string are = missing.size() > 1 ? "s " + names + " are" : " " + names + " is";
+  throw MissingConstants(path, "the constant" + are + " missing" + Remedy::state(missing, metadata_path));
 }
 
 /// The column with the unit of toughness; null if there is none.

@@ -111,7 +111,7 @@ std::string cut_files(const std::string& list, const std::string& stem, const st
 }
 
 /// Fits written files; calls `progress` with the part that is done. {"fits": schema mixity-fit-1, "answer", "advice",
-/// "drawn": (experiment.h), "definition": "fits/NAME.toml", "used": CSV}.
+/// "parameters", "drawn": (experiment.h), "definition": "fits/NAME.toml", "used": CSV}.
 std::string fit_files(const std::string& list, const std::string& constants, const std::string& options,
                       emscripten::val progress) {
   return guarded([&] {
@@ -119,6 +119,7 @@ std::string fit_files(const std::string& list, const std::string& constants, con
     return Json{{"fits", fits_document({&result, 1})},
                 {"answer", as_told(answer_of(result), result.data)},
                 {"advice", as_advised(result)},
+                {"parameters", as_listed(result)},
                 {"drawn", as_drawn(result)},
                 {"definition", fit_definition_text(result.request, result.data, "fit.toml")},
                 {"used", used_csv(result.data)}};

@@ -7,6 +7,8 @@
 
 #include "analysis/judgement.h"
 #include "analysis/model_curves.h"
+#include "analysis/readable.h"
+#include "analysis/readers_units.h"
 #include "base/number_text.h"
 #include "base/units.h"
 #include "explorer/drawing.h"
@@ -133,6 +135,16 @@ Json model_of(const Analysis& result, const FitResult& fit) {
   return drawn;
 }
 
+/// "λ_II = 0.0203 ± 0.0005", in a unit that suits the value.
+std::string parameter_text(const FittedParameter& fitted) {
+  const FittedParameter one = readable(fitted);
+  const std::string name = parameter_in_text(one.name) + " = ", unit = unit_text(one.unit);
+  if (!one.value) return name + "not determined";
+  if (!one.stderr_) return name + rounded(*one.value, 5) + unit + (one.held ? " (held)" : "");
+  const auto [value, error] = rounded_to_error(*one.value, *one.stderr_);
+  return name + value + " ± " + error + unit;
+}
+
 /// "2.133 MPa +/- 0.1 MPa": short, for a field of a form.
 std::string as_typed(double value, double error, const std::string& unit) {
   const ReadableUnit shown = unit == "N" ? ReadableUnit{1e3, "mN"} : readable_unit(value, unit);
@@ -198,6 +210,14 @@ Json as_advised(const Analysis& result) {
       advice.push_back({{"model", fit.model}, {"text", fit.message.text(in_fields)}, {"buttons", buttons}});
   }
   return advice;
+}
+
+Json as_listed(const Analysis& result) {
+  const auto shown = in_readers_units(result);
+  Json listed = Json::object();
+  for (const FitResult& fit : (shown ? *shown : result).fits)
+    listed[fit.model] = list_of(fit.parameters, parameter_text);
+  return listed;
 }
 
 Json as_drawn(const Analysis& result) {

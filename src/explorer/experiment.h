@@ -25,6 +25,9 @@ Json as_told(const Answer& answer, const Dataset& data);
 /// What can be tried where a fit has a message with remedies, the best model first: [{"model", "text", "buttons"}].
 Json as_advised(const Analysis& result);
 
+/// The parameters of each fit as a report shows them: {"c": ["λ = 0.0200 ± 0.0012"]}.
+Json as_listed(const Analysis& result);
+
 /// {"contact": {"radius": m, "modulus": Pa, "toughness": J/m^2, "mN": the file's unit of force in mN, "mm2": that of
 /// area}, "models": [{"model", "runs": [{"P", "curve": [[T, A]],
 /// "unstable", "band": [[T, low, high]], "folds": [[T, A]], "axes": [[T, a/b]] of ellipses}], "toughness": [[psi, f]],

@@ -27,6 +27,7 @@ constexpr Button kButtons[] = {
     {"control", "Read delta as the ", " that is held", false, true},
     {"decimal", "Read ", " as the decimal sign", false, true},
     {"table", "Read table ", "", false, true},
+    {"load_from", "Take loads from the names of files: ", "", false, true},
 };
 
 bool is_setting(std::string_view option) {

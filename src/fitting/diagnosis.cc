@@ -27,7 +27,11 @@ FittedParameter first_free(const FitResult& fit) {
 
 std::string before_and_after(const FitResult& fit, const FitResult& after) {
   const double before = per_freedom(fit), now = per_freedom(after);
-  return fit.known_errors ? "chi^2 per degree of freedom falls from " + rounded(before, 3) + " to " + rounded(now, 3)
+  // of thousands of points a fall by a thousandth is significant
+  const auto text = [&](double misfit) {
+    return resolved(misfit, std::clamp(std::abs(before - now), 1e-6 * before, 0.1 * before));
+  };
+  return fit.known_errors ? "chi^2 per degree of freedom falls from " + text(before) + " to " + text(now)
                           : "the squares of the residuals fall to " + rounded(100 * now / before, 2) + "%";
 }
 

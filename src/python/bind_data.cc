@@ -13,6 +13,17 @@
 #include "python/keyword_words.h"
 
 namespace mixity {
+namespace {
+
+/// Keywords of arrays that are no columns are constants; InputError where one was meant to be a column, too.
+void require_known(const Stated& constants) {
+  std::vector<std::string> names = column_names();
+  for (const MetadataField& field : metadata_fields()) names.emplace_back(field.name);
+  for (const auto& [key, text] : constants)
+    if (std::find(names.begin(), names.end(), key) == names.end()) throw InputError("arrays", unknown_key(key, names));
+}
+
+}  // namespace
 
 std::vector<InputFile> inputs_of(const Contents& contents) {
   std::vector<InputFile> files;
@@ -178,6 +189,7 @@ void bind_data(nb::module_& m) {
   });
   m.def("from_arrays", [](const std::string& name, const std::vector<std::pair<std::string, nb::object>>& columns,
                           const Stated& constants) {
+    require_known(constants);
     std::vector<Numbers> numbers;
     std::vector<std::vector<std::string>> texts;
     numbers.reserve(columns.size());

@@ -42,9 +42,8 @@ std::string checked_files(const std::vector<std::string>& paths, const Stated& c
   };
   read = paths;
   for (const std::string& path : paths) read.push_back(metadata_path(path));
-  CheckedData found = check_data(load, constants, in_keywords);
+  const CheckedData found = check_data(load, constants, in_keywords);
   save_definition({found.file}, save, force, read);
-  if (found.missing) found.text += found.missing->text(in_keywords) + "\n";
   return found.text;
 }
 

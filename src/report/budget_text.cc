@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/readable.h"
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "base/units.h"
@@ -152,8 +153,8 @@ std::vector<std::string> budget_and_consistency(const FitResult& fit, const Anal
   if (fit.status == FitStatus::suspect) lines.push_back("SUSPECT: " + fit.message.text(result.request.words));
   if (!fit.outdone_by.empty()) return lines;  // the error budget of a rejected model is of no interest
   lines.push_back(posterior_line(fit));
-  for (const FittedParameter& parameter : fit.parameters)
-    if (parameter.prior && parameter.value && parameter.stderr_)
+  for (const FittedParameter& fitted : fit.parameters)
+    if (const FittedParameter parameter = readable(fitted); parameter.prior && parameter.value && parameter.stderr_)
       lines.push_back(parameter.name + " = " + with_error(*parameter.value, *parameter.stderr_) +
                       unit_text(parameter.unit) + ", " + prior_text(parameter, fit.budget));
   for (const auto& more : {budget_lines(fit), consistency_lines(fit, result.data)})

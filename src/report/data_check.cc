@@ -28,11 +28,12 @@ CheckedData check_data(const std::function<Dataset(const Overrides&)>& load, con
                        Wording words) {
   try {
     const Dataset data = load(constants);
-    return {check_text(data, unsheared_if_errors_allow(data), words), !data.points.empty(), understood(data), {}};
+    return {check_text(data, unsheared_if_errors_allow(data), words), !data.points.empty(), understood(data)};
   } catch (const MissingConstants& error) {
     const std::vector<std::string> missing = error.message().options();
     const Dataset data = load(with_some(missing, constants));
-    return {reading_text(data), false, understood(data, missing), error};
+    return {reading_text(data) + "[[To fit it]]\n    " + error.text(words) + '\n', !data.points.empty(),
+            understood(data, missing)};
   }
 }
 

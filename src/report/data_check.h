@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "base/input_error.h"
@@ -12,10 +11,9 @@
 namespace mixity {
 
 struct CheckedData {
-  std::string text;                           // check_text, or reading_text if constants are missing
-  bool usable = false;                        // there are points
-  UnderstoodFile file;                        // for a definition
-  std::optional<MissingConstants> missing{};  // constants that the data need and that are not stated
+  std::string text;     // check_text; if constants are missing, reading_text and which ones
+  bool usable = false;  // there are points
+  UnderstoodFile file;  // for a definition
 };
 
 /// `load` reads the data with these constants. Passes on its exceptions, except for missing constants.

@@ -14,6 +14,7 @@
 #include "fitting/standard_errors.h"
 #include "fitting/stated_constants.h"
 #include "report/fit_fields.h"
+#include "report/fit_table.h"
 #include "report/fit_text.h"
 
 namespace mixity {
@@ -260,7 +261,7 @@ std::string comparison_text(const Analysis& result) {
       }
       out << padded(text, 31);
     }
-    out << padded(m.weight ? rounded(*m.weight, 3) : "-", 14) << (m.probability ? rounded(*m.probability, 3) : "-")
+    out << padded(m.weight ? weight_text(*m.weight) : "-", 14) << (m.probability ? weight_text(*m.probability) : "-")
         << '\n';
   }
   if (const std::string text = no_best_model(result); !text.empty()) out << "    " << text << '\n';

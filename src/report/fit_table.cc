@@ -46,10 +46,9 @@ std::vector<std::string> paper_lines(const PaperFit& paper) {
   return lines;
 }
 
-/// "1", "0.0318" or, for negligible weights, "< 0.0001".
-std::string weight_text(double weight) { return weight < 1e-4 ? "< 0.0001" : rounded(weight, 3); }
-
 }  // namespace
+
+std::string weight_text(double weight) { return weight < 1e-4 ? "< 0.0001" : rounded(weight, 3); }
 
 FitTable fit_table(const Analysis& result) {
   using Cell = FitTable::Cell;

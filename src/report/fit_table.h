@@ -23,6 +23,9 @@ FitTable fit_table(const Analysis& result);
 /// The table for a terminal: aligned columns; a fit takes several lines where a cell does.
 std::string table_text(const Analysis& result);
 
+/// A weight or probability of a model: "1", "0.0318" or, where it is negligible, "< 0.0001".
+std::string weight_text(double weight);
+
 /// Replaces powers in a text by ² and ³.
 std::string with_powers(std::string text);
 

@@ -66,7 +66,8 @@ TEST_F(BadInput, IsRefusedInTheWordsOfTheTable) {
 TEST_F(BadInput, EveryMessageOfExitThreeNamesTheFileAndThePlaceInIt) {
   // What concerns a file as a whole has no place in it.
   const std::regex whole(
-      "cannot be (opened|read|looked up): .*|(weighted |scale )?needs \\w+(, \\w+)* .*|states .*|the key data is "
+      "cannot be (opened|read|looked up): .*|(weighted |scale )?needs \\w+(, \\w+)* .*|the constants? .* "
+      "missing.*|states .*|the key data is "
       "missing"
       "|.*out of range|objective \\w+ needs .*|parameter .*|a bootstrap of curves .*|the header '.*"
       "|holds \\(G_I, G_II\\) points; .*|sigma_T and sigma_A are errors .*"

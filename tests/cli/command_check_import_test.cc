@@ -27,8 +27,14 @@ TEST(Program, HowAFileIsReadIsShownBeforeItsConstantsAreKnown) {
                                         "0,7;0,05;0,232\n0,7;1,52;0,231\n4,7;0,03;0,376\n4,7;3,1;0,375\n");
   folder.write("a.toml", "youngs_modulus = \"1.6 MPa\"\npoisson_ratio = 0.5\n");
   const ProgramResult check = run_program({"check", data});
-  EXPECT_EQ(check.exit_code, 3);
-  EXPECT_NE(check.err.find("needs radius, toughness to be made dimensionless"), std::string::npos) << check.err;
+  EXPECT_EQ(check.exit_code, 0) << check.err;  // the file is fine
+  EXPECT_NE(check.out.find("[[To fit it]]\n    " + data + ": the constants radius, toughness are missing"),
+            std::string::npos)
+      << check.out;
+  // nor do missing constants hide the next file
+  const ProgramResult two = run_program({"check", data, folder.write("b.csv", "P,T,A\n1,0,19.6\n1,1,19.5\n")});
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_NE(two.out.find("dimensionless\n    2 rows, 2 usable"), std::string::npos) << two.out;
   for (const char* words : {"4 rows, 4 usable", "read as: semicolons, decimal commas", "T from 'Tangentialkraft (mN)'",
                             "P = 4.7 ", "T = 0.03 .. 3.1 ", "A = 0.375 .. 0.376"})
     EXPECT_NE(check.out.find(words), std::string::npos) << words << "\n" << check.out;

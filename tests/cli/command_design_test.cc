@@ -144,5 +144,13 @@ TEST(SimulateCommand, WritesAnExperimentThatCanBeFitted) {
   EXPECT_NE(run_program(with_plan({"simulate", "--seed=4"})).out, content_of(path));
 }
 
+TEST(SimulateCommand, WritesStatedErrorsAsTheyWereStated) {
+  const std::string table =
+      run_program(with_plan({"simulate", "--sigma_T=0.2 mN", "--sigma_A=0.003 mm^2", "--points=3"})).out;
+  const auto rows = lines_of(table);
+  ASSERT_EQ(rows.size(), 7) << table;
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_TRUE(rows[i].ends_with(",0.2,0.003")) << rows[i];
+}
+
 }  // namespace command_design_test
 }  // namespace mixity::cli

@@ -98,7 +98,7 @@ TEST(Arrays, AreExcludedAndRefusedAsRowsOfAFile) {
   EXPECT_EQ(error({}), "mine: has no columns");
   EXPECT_EQ(error({{"P", P}, {"T", {}, names}, {"A", A}}), "mine: column 'T' holds texts where numbers are wanted");
   EXPECT_EQ(error({{"P", P}, {"A", A}}), "mine:1:1: column 'T' is missing");
-  EXPECT_NE(error({{"P [mN]", P}, {"T [mN]", A}, {"A [mm^2]", A}}).find("needs radius"), std::string::npos);
+  EXPECT_NE(error({{"P [mN]", P}, {"T [mN]", A}, {"A [mm^2]", A}}).find("the constants radius"), std::string::npos);
   EXPECT_NE(error({{"P [mN]", P}, {"T [mN]", A}, {"A [kg]", A}}).find("is no unit"), std::string::npos);
 }
 

@@ -15,13 +15,13 @@ namespace dataset_refusals_test {
 TEST(Dataset, WhatIsNeededAndNotStatedIsNamed) {
   const std::string csv = "P [mN],T [mN],A [mm^2]\n1,0.5,0.24\n";
   EXPECT_EQ(load_error(csv),
-            "a.csv: needs radius, modulus, toughness to be made dimensionless: state them in a.toml or by flags "
+            "a.csv: the constants radius, modulus, toughness are missing: state them in a.toml or by flags "
             "(--radius=..., --modulus=..., --toughness=...)");
   EXPECT_EQ(load_error(csv, "radius = \"1 mm\""),
-            "a.csv: needs modulus, toughness to be made dimensionless: state them in a.toml or by flags "
+            "a.csv: the constants modulus, toughness are missing: state them in a.toml or by flags "
             "(--modulus=..., --toughness=...)");
   EXPECT_EQ(load_error(csv, "radius = \"1 mm\"\nmodulus = \"1 MPa\""),
-            "a.csv: needs toughness to be made dimensionless: state it in a.toml or by a flag (--toughness=...)");
+            "a.csv: the constant toughness is missing: state it in a.toml or by a flag (--toughness=...)");
   const std::string half = load_error(csv, "radius = \"1 mm\"\nyoungs_modulus = \"1 MPa\"\ntoughness = \"1 J/m^2\"");
   EXPECT_NE(half.find("poisson_ratio"), std::string::npos) << half;
 }

@@ -147,7 +147,7 @@ TEST(Dataset, AToughnessWithAUnitIsDividedByGIc) {
   EXPECT_DOUBLE_EQ(data.toughness(0)->ratio, 1131.0 / 969);  // 4 ulp: one product and one quotient
   EXPECT_DOUBLE_EQ(data.errors_of(0).ratio, 5.0 / 969);
   EXPECT_EQ(load_error(csv),
-            "a.csv: needs toughness to be made dimensionless: state it in a.toml or by a flag "
+            "a.csv: the constant toughness is missing: state it in a.toml or by a flag "
             "(--toughness=...)");
 }
 

@@ -124,9 +124,10 @@ TEST(Energies, ThatTheUnitOfOthersPutsOutOfRangeAreListedInTheOrderOfTheFile) {
 
 TEST(Energies, OfModeTwoAloneNeedAToughness) {
   const std::string csv = "G_I [J/m^2],G_II [J/m^2]\n0,1\n-0.1,2\n";
-  EXPECT_EQ(load_error(csv),
-            "a.csv: needs toughness to be made dimensionless, as no G_I lies above 0: state it in a.toml or by a flag "
-            "(--toughness=...)");
+  EXPECT_EQ(
+      load_error(csv),
+      "a.csv: the constant toughness is missing, and no G_I above 0 can stand for it: state it in a.toml or by a flag "
+      "(--toughness=...)");
   EXPECT_EQ(load_text(csv, "toughness = \"1 J/m^2\"").points.size(), 2);
   EXPECT_EQ(load_text("G_I [J/m^2],G_II [J/m^2]\n,1\n").points.size(), 0);  // nothing to make dimensionless
 }

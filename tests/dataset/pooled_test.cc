@@ -11,6 +11,30 @@ namespace pooled_test {
 
 const std::string kConstants = "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\"\n";
 
+TEST(Pooled, WhereTheNamesOfFilesStateTheLoadTheKeyForItIsRecommended) {
+  const TemporaryFolder folder;
+  const auto advice = [&](const std::string& name) -> std::string {
+    try {
+      load_dataset(folder.write(name, "T [mN],A [mm^2]\n0,0.35\n2,0.34\n"));
+    } catch (const InputError& error) {
+      const auto remedies = error.message().remedies();
+      return remedies.empty() ? "" : remedies[0].choices[0].option + " = " + remedies[0].choices[0].value;
+    }
+    return "";
+  };
+  for (const auto& [name, place] : {std::pair("pad_12mN.txt", "{P}mN"), std::pair("2024_run_1,5 mN.csv", "{P} mN"),
+                                    std::pair("glass-7.73mN_b.csv", "-{P}mN"), std::pair("R2_P0.8_mN.csv", "{P}_mN")}) {
+    EXPECT_EQ(advice(name), "load_from = " + std::string(place)) << name;
+    const Dataset read = load_dataset(
+        folder.path(name),
+        {{"load_from", place}, {"radius", "9.42 mm"}, {"modulus", "2.133 MPa"}, {"toughness", "27 mJ/m^2"}});
+    EXPECT_EQ(read.points.size(), 2u) << name;
+  }
+  // no load, two, or a number that may begin before
+  for (const char* name : {"run_3.csv", "run3.mN.csv", "2mN_to_5mN.csv", "pad_0p5mN.csv", "pad_0_5mN.csv", "5mm.csv"})
+    EXPECT_EQ(advice(name), "load = 5 mN") << name;
+}
+
 TEST(Pooled, FilesAreTheRunsOfOneDataSet) {
   const TemporaryFolder folder;
   folder.write("run_4mN.csv", "T [mN],A [mm^2]\n0,0.35\n2,0.34\n");

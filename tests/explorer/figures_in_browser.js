@@ -254,6 +254,9 @@ async function remedies(page) {
   same(await fitsOn(page), ellipse, 'an ellipse');
   await page.waitForTimeout(300);
   expect((await seriesOf(page, 'axes')).length === 8, 'the ellipse of the model is not drawn');
+  expect(/^λ<sub>II<\/sub> = [\d.]+ ± [\d.]+, λ<sub>III<\/sub> = /.test(await page.innerHTML('.result')), `the couplings: ${await page.innerHTML('.result')}`);
+  const listed = await page.textContent('#models');
+  expect(/λII = [\d.]+ ± [\d.]+ /.test(listed) && !/e-\d/.test(listed), `all models: ${listed}`);
   if (shots) await page.screenshot({path: path.join(shots, 'ellipse.png'), fullPage: true});
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=toml]')]), definition = path.join(folder, 'ellipse_fit.toml');
   await download.saveAs(definition);

@@ -168,6 +168,15 @@ async function severalFiles(page) {
   await idle(page);
   await page.setInputFiles('#file', [...names, 'constants.toml', path.basename(toml)].map(name => path.join(folder, name)));
   await page.waitForFunction(n => window.explorer.experiment.result && window.explorer.experiment.kept[1]?.[1] === n, last - 2);
+
+  // loads that only the names of the files state
+  const loads = ['pad_2mN.txt', 'pad_12mN.txt'].map(name => ({name, mimeType: 'text/plain', buffer: Buffer.from('T (mN)\tA (mm^2)\n0.1\t0.29\n5\t0.28\n9\t0.27\n')}));
+  await page.setInputFiles('#file', loads);
+  await page.click('#trouble button:has-text("Take loads from the names of files: {P}mN")');
+  await page.waitForFunction(() => window.explorer.experiment.told?.runs?.length === 2);
+  expect((await page.evaluate(() => window.explorer.experiment.told.runs.map(({P}) => P))).join() === '2,12', 'the loads are not those of the names');
+  await page.click('[data-without=load_from]');
+  await page.waitForFunction(() => /load_from|names of files/.test(document.getElementById('trouble').textContent));
 }
 
 /// A log of `rows` rows, each with an area, of these loads in mN: areas of model c, lambda 0.004, to 0.95 of the largest T.

@@ -1,7 +1,10 @@
 // A fit of data that are wrong in one way names it; data that are right are believed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <regex>
 
 #include "dataset/exclusion.h"
 #include "fitting/consistency.h"
@@ -214,6 +217,23 @@ TEST(Diagnosis, OffersNoRemedyThatEndsAtABound) {
     for (const Explanation& one : fit_model(data, "c").explanations)
       EXPECT_FALSE(one.first.at_bound) << one.size.text();
   }
+}
+
+/// Of thousands of points chi^2 falls significantly, but by a thousandth.
+TEST(Diagnosis, SaysFromWhatAndToWhatChiSquaredFalls) {
+  SeededNoise of_A(5, 0.01);
+  Dataset data = synthetic_runs("c", {0.0065}, {1, 3, 9}, 2000, 0.9, of_A);
+  std::map<std::size_t, double> largest;
+  for (const Point& point : data.points) largest[point.curve] = std::max(largest[point.curve], point.T);
+  for (Point& point : data.points) point.A *= 1 + 0.008 * std::pow(point.T / largest[point.curve], 2);  // no circles
+  FitOptions options;
+  options.sigma_A = *parse_quantity("1%");
+  options.sigma_T = *parse_quantity("1e-6");
+  const std::string message = fit_model(data, "c", options).message.text();
+  std::smatch numbers;
+  ASSERT_TRUE(std::regex_search(message, numbers, std::regex("falls from ([0-9.]+) to ([0-9.]+)"))) << message;
+  EXPECT_LT(std::stod(numbers[2]), std::stod(numbers[1])) << message;
+  EXPECT_LT(std::stod(numbers[1]), 1.1) << message;
 }
 
 TEST(Diagnosis, OfDataWithoutScatterIsSilent) {

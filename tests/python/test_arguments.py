@@ -33,7 +33,22 @@ def test_a_frame_whose_headings_and_units_contradict_each_other_is_refused(frame
     with pytest.raises(mixity.InputError, match=r"column 'P \[mN\]' is in mN, units says that it has none"):
         mixity.from_frame(frame, units=None)
     with pytest.raises(mixity.InputError, match="'x' of column 'A' is no unit"):
-        mixity.from_frame({"P": [1.0], "T": [1.0], "Area [x]": [1.0]}, {"P": "P", "T": "T", "A": "Area [x]"}, **CONSTANTS)
+        mixity.from_frame({"P [N]": [1.0], "T [N]": [1.0], "Area [x]": [1.0]}, {"P": "P [N]", "T": "T [N]", "A": "Area [x]"}, **CONSTANTS)
+
+
+def test_a_column_without_a_unit_beside_columns_that_have_one_is_refused(data):
+    # in SI its values would be a thousand times too large, and lambda a million times too small
+    u = pytest.importorskip("astropy.units")
+    sentence = r"column 'T' has no unit, 'P' has one: state it in units=\{\"T\": \"N\"\}"
+    for made in (
+        lambda **units: mixity.Dataset(P=data.P * u.mN, T=data.T, A=data.A * u.mm**2, **units, **CONSTANTS),
+        lambda **units: mixity.from_frame({"P [mN]": data.P, "T": data.T, "A [mm^2]": data.A}, **units, **CONSTANTS),
+    ):
+        with pytest.raises(mixity.InputError, match=sentence):
+            made()
+        np.testing.assert_allclose(made(units={"T": "mN"}).T * (1 if made(units={"T": "mN"}).units["force"] == "mN" else 1e3), data.T, rtol=1e-12)
+    with pytest.raises(mixity.InputError, match=sentence):
+        mixity.Dataset(P=data.P, T=data.T, A=data.A, units={"P": "mN", "A": "mm^2"}, **CONSTANTS)
 
 
 def test_headings_of_a_frame_are_those_of_a_file(data):
@@ -52,6 +67,8 @@ def test_a_misspelt_keyword_is_refused_with_the_one_that_was_meant(data, frame):
         mixity.Dataset(**columns, simga_T=data.T, **CONSTANTS)
     with pytest.raises(mixity.InputError, match=r'unknown key "raduis": did you mean radius\?'):
         mixity.Dataset(**columns, raduis="9.42 mm")
+    with pytest.raises(mixity.InputError, match=r'unknown key "sigmaT": did you mean sigma_T\?'):
+        mixity.Dataset(**columns, sigmaT="0.2 mN", **CONSTANTS)
     with pytest.raises(mixity.InputError, match=r"units: 'sigma_t' is no column; there are .*: did you mean sigma_T\?$"):
         mixity.Dataset(**columns, sigma_T=data.T, units={"sigma_t": "mN"}, **CONSTANTS)
     with pytest.raises(mixity.InputError, match=r"has no column 'A \[mm2\]'; there are .*: did you mean A \[mm\^2\]\?$"):
@@ -76,7 +93,7 @@ def test_a_frame_has_its_runs_by_any_name_of_them(data):
 def test_what_is_missing_is_called_as_the_argument(data):
     with pytest.raises(mixity.InputError) as error:
         mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], modulus=2e6, toughness=0.03)
-    assert str(error.value) == "data: needs radius to be made dimensionless: state it: radius=..."
+    assert str(error.value) == "data: the constant radius is missing: state it: radius=..."
     with pytest.raises(mixity.InputError, match=r"state them: radius=..., modulus=..., toughness=...$"):
         mixity.Dataset(P=[1.0], T=[1.0], A=[1.0])
     with pytest.raises(mixity.InputError, match="'A' or 'a' is missing; not understood: 'size'. Say which is which: columns="):

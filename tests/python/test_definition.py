@@ -35,7 +35,7 @@ def test_a_definition_is_saved_without_its_constants_and_over_no_file_of_a_user(
     with pytest.raises(OSError, match="not written by mixity"):
         mixity.check(first, columns=COLUMNS, save=lab)
     assert lab.read_text() == 'radius = "1 mm"\n'
-    assert "needs radius, modulus, toughness" in mixity.check(first, columns=COLUMNS, save=lab, force=True)
+    assert "the constants radius, modulus, toughness are missing" in mixity.check(first, columns=COLUMNS, save=lab, force=True)
     assert "# modulus" in lab.read_text()
     with pytest.raises(mixity.InputError, match="must end in .toml"):
         mixity.check(first, columns=COLUMNS, save=tmp_path / "lab.csv")

@@ -53,7 +53,7 @@ def test_frames(data):
 def test_refusals_are_sentences(data):
     for ask, sentence in [
         (lambda: mixity.Dataset(P=[1], T=[1, 2], A=[1, 2], units=None), "column 'T' has 2 rows, 'P' has 1"),
-        (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0]), "needs radius"),
+        (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0]), "the constants radius, modulus, toughness are missing"),
         (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], radius="9 kg"), "^radius: radius is \"9 kg\"; the unit \"kg\" is not known; it must be a length"),
         (lambda: mixity.Dataset(P=np.ones((2, 2)), T=[1.0], A=[1.0]), "must have one dimension"),
         (lambda: mixity.Dataset(P=[1.0], T=[1.0], A=[1.0], colour="red"), "unknown key"),

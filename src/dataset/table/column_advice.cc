@@ -1,9 +1,12 @@
 #include "dataset/table/column_advice.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 
 #include "base/phrases.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "dataset/table/number.h"
 #include "dataset/table/vocabulary.h"
 
@@ -27,7 +30,35 @@ std::string entry_of(ColumnId id, const std::vector<Heading>& headings, std::siz
   return name_of(id) + "=" + column_in_mapping(headings, index, fits) + (fits ? "" : " (UNIT)");
 }
 
+/// "{P}mN" of "pad_12mN.txt", for the key load_from. Empty if the name has not one force, or its number may begin
+/// before: "0p5mN", "0_5mN".
+std::string place_of_load(std::string_view name) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::string place;
+  for (std::size_t first = name.find_first_of(kDigits), end = 0; first < name.size();
+       first = name.find_first_of(kDigits, end)) {
+    end = name.find_last_of(kDigits, std::min(name.find_first_not_of("0123456789.,", first), name.size()) - 1) + 1;
+    const std::size_t sign = end < name.size() && (name[end] == ' ' || name[end] == '_') ? 1 : 0;
+    std::size_t last = end + sign;
+    while (last < name.size() && std::isalpha(static_cast<unsigned char>(name[last]))) ++last;
+    const auto unit = parse_unit(name.substr(end + sign, last - end - sign));
+    const bool goes_on = last < name.size() && kDigits.find(name[last]) != std::string_view::npos;
+    if (!unit || unit->dimension != dimension::force || goes_on) continue;
+    const bool is_rest = first > 1 && std::string_view("p_-.,").find(name[first - 1]) != std::string_view::npos &&
+                         kDigits.find(name[first - 2]) != std::string_view::npos;
+    if (!place.empty() || is_rest) return "";
+    place = (first > 0 && name[first - 1] == '-' ? "-{P}" : "{P}") + std::string(name.substr(end, last - end));
+  }
+  return place;
+}
+
 }  // namespace
+
+Message advice_on_load(const std::string& path) {
+  const std::string place = place_of_load(std::string_view(path).substr(path.find_last_of('/') + 1));
+  return place.empty() ? "; one normal load of all points is stated by " + Remedy::set_or_key("load", "5 mN")
+                       : "; if the file's name states the normal load: " + Remedy::set_or_key("load_from", place);
+}
 
 Remedy mapping(ColumnId id, const std::vector<Heading>& headings, std::size_t index) {
   return Remedy::set("columns", entry_of(id, headings, index));

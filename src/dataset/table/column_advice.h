@@ -22,5 +22,7 @@ std::string mapping_with(const std::string& unit, ColumnId id, const std::vector
 /// (UNIT)"", with the heading where only one has a unit that fits. Empty if no heading is left. `used`: those that are.
 Message advice_on_missing(const std::vector<ColumnId>& missing, const std::vector<Heading>& headings,
                           const std::vector<bool>& used);
+/// Advice where no column has the load: load_from, if the file's name has one force in it ("pad_12mN.txt"), else load.
+Message advice_on_load(const std::string& path);
 
 }  // namespace mixity

@@ -265,7 +265,7 @@ void Columns::require_a_complete_set(const std::string& path, const std::vector<
            : std::any_of(headings.begin(), headings.end(), [](const Heading& one) { return one.name == "delta"; })
                ? "; an approach, delta, that is held in place of a load is stated by " +
                      Remedy::set_or_key("control", "approach")
-               : "; one normal load of all points is stated by " + Remedy::set_or_key("load", "5 mN"));
+               : advice_on_load(path));
     if (!lengths() || lengths()->one == a) exactly_one(A, a);
     for (const ContactLengths& one : kContactLengths)
       if (has(one.one) || has(one.other)) all_of({one.one, one.other});

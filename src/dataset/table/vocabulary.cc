@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include "base/toml_file.h"
@@ -138,6 +139,15 @@ std::optional<ColumnId> Vocabulary::find_symbol_of_force(std::string_view name) 
   return is_force && !parse_unit(symbol) ? found->second : std::nullopt;
 }
 
+/// "F_R", "FR", "A_k": the letter of a force or an area with one or two more, as laboratories choose them.
+bool is_symbol_of(ColumnId id, std::string_view text) {
+  const bool force = id == ColumnId::P || id == ColumnId::T;
+  if (text.size() < 2 || !(force ? text[0] == 'F' : id == ColumnId::A && text[0] == 'A')) return false;
+  const std::string_view below = text.substr(text[1] == '_' ? 2 : 1);
+  return (below.size() == 1 || below.size() == 2) &&
+         std::all_of(below.begin(), below.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+}
+
 /// Like find; also understands a name followed by a symbol of the quantity: "Normal force F_N", "friction force, T".
 std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) const {
   const auto own_or_found = [&](std::string_view text) { return column_named(text) ? column_named(text) : find(text); };
@@ -159,7 +169,9 @@ std::optional<ColumnId> Vocabulary::find_with_symbol(std::string_view name) cons
   const std::size_t behind = name.find_last_of(" ,");
   if (behind == std::string_view::npos) return std::nullopt;
   const auto first = find(trim_name(name.substr(0, name.find_last_not_of(" ,", behind) + 1)));
-  return first && first == own_or_found(name.substr(behind + 1)) ? first : std::nullopt;
+  const std::string_view symbol = name.substr(behind + 1);
+  const auto second = own_or_found(symbol);
+  return first && (first == second || (!second && is_symbol_of(*first, symbol))) ? first : std::nullopt;
 }
 
 std::optional<NamedColumn> Vocabulary::read(const Heading& heading, std::size_t index, bool with_unit) const {

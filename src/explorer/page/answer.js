@@ -2,7 +2,11 @@
 import {shown, squared} from './charts.js';
 
 export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;'})[c]);
-export const list = sentences => sentences.map(one => `<li>${escape(one)}</li>`).join('');
+/// λ for lambda in a sentence. Options that are typed stay: free=lambda.
+const inGreek = text => text.replace(/(^|[^\w=.'-])lambda(?=(_III?)?(?![\w=]|[.']\w))/g, '$1λ');
+/// A text of the engine as HTML, λ with its subscript and T^2 as T².
+export const marked = text => inGreek(escape(text)).replace(/\^2(?!\d)/g, '²').replace(/λ_(III?)\b/g, 'λ<sub>$1</sub>');
+export const list = sentences => sentences.map(one => `<li>${marked(one)}</li>`).join('');
 /// The key of a law without a name is generated and not shown.
 export const named = text => text.replaceAll(/(\bmodel )?\blaw_\d+\b(, law_\d+\b)?/g, 'your own law');
 
@@ -50,30 +54,29 @@ function adviceHtml({answer, advice, fits}) {
   const own = advice.find(one => one.model === best), known = new Set(own?.buttons.map(({label}) => label));
   const others = advice.filter(one => answer.doubt && one !== own && one.buttons.some(({label}) => !known.has(label) && known.add(label)));
   if (!answer.doubt && !own) return '';
-  const line = one => `<li>Model ${escape(one.model)}: ${escape(one.text)} <span class="remedies">${buttonsHtml(one.buttons)}</span></li>`;
-  const text = answer.doubt ? `<strong class="alert">${escape(answer.doubt)}</strong>` : escape(own.text);
+  const line = one => `<li>Model ${escape(one.model)}: ${marked(one.text)} <span class="remedies">${buttonsHtml(one.buttons)}</span></li>`;
+  const text = answer.doubt ? `<strong class="alert">${marked(answer.doubt)}</strong>` : marked(own.text);
   return `<div class="banner doubt"><p>${text}</p>${own ? `<p class="remedies">Try: ${buttonsHtml(own.buttons)}</p>` : ''}${others.length ? `<p>The other models:</p><ul>${others.map(line).join('')}</ul>` : ''}</div>`;
 }
 
 export function answerHtml(result) {
   const {answer, fits} = result, why = fits.datasets[0].fits[0].message, doubtful = Boolean(answer.doubt);
   const status = !doubtful && answer.result ? '<p>Status: ok. The tests of the fit found nothing wrong.</p>' : '', advice = adviceHtml(result);
-  return `${doubtful ? advice : ''}<p class="result">${escape(answer.result || `No value was found${why ? `: ${why}` : ''}`)}${answer.result ? ` ${copyHtml(answer.result, 'the result')}` : ''}</p>` +
-    [answer.model, answer.interval].filter(Boolean).map(line => `<p>${escape(line)}</p>`).join('') + status + (doubtful ? '' : advice) + budget(answer.budget) + jumps(answer.jumps) +
+  return `${doubtful ? advice : ''}<p class="result">${marked(answer.result || `No value was found${why ? `: ${why}` : ''}`)}${answer.result ? ` ${copyHtml(answer.result, 'the result')}` : ''}</p>` +
+    [answer.model, answer.interval].filter(Boolean).map(line => `<p>${marked(line)}</p>`).join('') + status + (doubtful ? '' : advice) + budget(answer.budget) + jumps(answer.jumps) +
     (answer.cannot_say.length ? `<h3>What the data cannot say</h3><ul>${list(answer.cannot_say)}</ul>` : '');
 }
 
 /// A table that begins with the model that describes the data best.
-export function modelsHtml({fits, drawn}) {
+export function modelsHtml({fits, drawn, parameters: texts}) {
   const {comparison = [], fits: all} = fits.datasets[0], best = drawn.models.map(one => one.model);
   const place = fit => (best.includes(fit.model) ? best.indexOf(fit.model) : best.length);
-  const parameter = ([name, p]) => `${name.replace('lambda', 'λ')} = ${p.value === null ? 'unknown' : shown(p.value, 5)}${p.stderr ? ` ± ${shown(p.stderr, 2)}` : ''}${p.unit ? ` ${p.unit}` : ''}`;
   const row = fit => {
     const weight = comparison?.find(one => one.model === fit.model)?.weight;
     return `<tr><th scope="row">${escape(fit.model)}</th>
-      <td data-label="parameters">${Object.entries(fit.parameters).map(one => `<div>${escape(parameter(one))}${one[1].value === null ? '' : ` ${copyHtml(`${one[1].value}\t${one[1].stderr ?? ''}`, `${one[0]} of model ${fit.model} with all digits and its standard error`)}`}</div>`).join('')}</td>
-      <td data-label="status">${escape(fit.status)}${fit.message ? `: ${escape(fit.message)}` : ''}</td>
-      <td data-label="AICc weight">${typeof weight === 'number' ? shown(weight, 3) : ''}</td></tr>`;
+      <td data-label="parameters">${Object.entries(fit.parameters).map(([name, p], i) => `<div>${marked(texts[fit.model][i])}${p.value === null ? '' : ` ${copyHtml(`${p.value}\t${p.stderr ?? ''}`, `${name} of model ${fit.model} with all digits and its standard error`)}`}</div>`).join('')}</td>
+      <td data-label="status">${escape(fit.status)}${fit.message ? `: ${marked(fit.message)}` : ''}</td>
+      <td data-label="AICc weight">${typeof weight !== 'number' ? '' : weight < 1e-4 ? '&lt; 0.0001' : shown(weight, 3)}</td></tr>`;
   };
   return `<table class="fits"><thead><tr><th>model</th><th>parameters</th><th>status</th><th>AICc weight</th></tr></thead>
     <tbody>${[...all].sort((one, other) => place(one) - place(other)).map(row).join('')}</tbody></table>`;

@@ -275,7 +275,7 @@ export class Experiment {
       this.told = await step('Reading …', this.engine.read(given, {radius: '1 mm', modulus: '1 MPa', toughness: '1 J/m^2', ...constants}, true));
     } catch (error) {
       if (error instanceof Stopped) throw error;
-      $('more').open = error.options?.some(option => ['load', 'pixel', 'sheet'].includes(option));
+      $('more').open = error.options?.some(option => ['load', 'load_from', 'pixel', 'sheet'].includes(option));
       $('mapping').open = !$('more').open;
       $('read-title').textContent = this.name;
       $('taken').innerHTML = '';

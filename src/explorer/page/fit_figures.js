@@ -71,7 +71,7 @@ export class FitFigures {
   about() {
     const {experiment} = this, {result, told} = experiment, fits = result?.fits.datasets[0].fits ?? [];
     const of = fits.filter(fit => this.chosenModels().some(({model}) => model === fit.model)).map(fit => `${this.title(fit)}${laws[fit.model] ? `, ${laws[fit.model].name}` : ''}: ` +
-      Object.entries(fit.parameters).map(([name, p]) => `${name.replace('lambda', 'λ')} = ${p.value === null ? 'unknown' : shown(p.value, 5)}${p.stderr ? ` ± ${shown(p.stderr, 2)}` : ''}${p.unit ? ` ${p.unit}` : ''}`).join(', ') + ` (${fit.status.replaceAll('_', ' ')})`);
+      result.parameters[fit.model].join(', ') + ` (${fit.status.replaceAll('_', ' ')})`);
     const constants = Object.entries({R: 'radius', 'E*': 'modulus', G_Ic: 'toughness'}).filter(([, name]) => told?.constants[name]).map(([short, name]) => `${short} = ${squared(told.constants[name].shown)}`);
     return [experiment.name + (told?.notice ? ' (reconstructed, not measured)' : ''), ...of, constants.join(', ')];
   }

@@ -5,7 +5,7 @@ import {escape} from './answer.js';
 const $ = id => document.getElementById(id);
 const texts = {'fit-options': 'options', 'other-constants': 'more'};  // a field's id, and where its values are kept
 
-const ofTheFile = ['shape', 'control'];  // constants that buttons set, and that can be undone like options
+const ofTheFile = ['shape', 'control', 'load_from'];  // constants that buttons set, and that can be undone like options
 
 const textOf = values => Object.entries(values).map(([name, value]) => `${name}=${value}`).join('; ');
 
@@ -19,7 +19,7 @@ function optionsIn(text) {
 export function showOptions(experiment) {
   if (!experiment.options.exclude) delete experiment.options.exclude;
   for (const [id, key] of Object.entries(texts)) $(id).value = $(id).dataset.shown = textOf(experiment[key]);
-  const stated = {...experiment.options, ...Object.fromEntries(ofTheFile.filter(name => /^(ellipse|approach)$/.test(experiment.more[name])).map(name => [name, experiment.more[name]]))};
+  const stated = {...experiment.options, ...Object.fromEntries(ofTheFile.filter(name => /^(ellipse|approach)$|{P}/.test(experiment.more[name])).map(name => [name, experiment.more[name]]))};
   $('set-options').hidden = !Object.keys(stated).length;
   $('set-options').innerHTML = Object.entries(stated).map(([name, value]) => `<button type="button" data-without="${escape(name)}" aria-label="Undo ${escape(name)}">${escape(`${name} = ${value}`)} ✕</button>`).join(' ');
 }

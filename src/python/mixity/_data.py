@@ -36,6 +36,18 @@ def _column(name, values, units):
     return (f"{name} [{unit}]" if unit else name), array
 
 
+def _require_all_units(there, units):
+    """Raises InputError where some columns have units and others have none, which are hardly in SI."""
+    named = units if isinstance(units, dict) else {}
+    of_units = [name for name in there if si_unit(name) not in ("", "rad")]
+    bare = [name for name in of_units if name not in named and not carries_units(there[name])]
+    if bare and len(bare) < len(of_units):
+        other = next(name for name in of_units if name not in bare)
+        raise _core.InputError(
+            f"arrays: column '{bare[0]}' has no unit, '{other}' has one: state it in units={{\"{bare[0]}\": \"{si_unit(bare[0])}\"}} or another"
+        )
+
+
 class Dataset:
     """Measured points of one experiment, ready to fit.
 
@@ -44,8 +56,8 @@ class Dataset:
     runs : array_like of str or int, shape (n,), optional
         The loading run of each point; without a name (None, NaN), points of one load form a run.
     units : dict, "SI" or None
-        Units of the columns, as in ``{"P": "mN", "A": "mm^2"}``; SI for columns not named. None: dimensionless
-        as in the paper (loads in R G_Ic, areas in (R/xi)^2).
+        Units of the columns, as in ``{"P": "mN", "T": "mN", "A": "mm^2"}``: of all that have no unit of their own, or of none,
+        which then are in SI. None: dimensionless as in the paper (loads in R G_Ic, areas in (R/xi)^2).
     name : str
         Shown in texts and messages.
     **given
@@ -82,6 +94,8 @@ class Dataset:
             raise _core.InputError("units must be a dict such as {'P': 'mN', 'A': 'mm^2'}, \"SI\", or None: dimensionless")
         name = str(name)
         columns = [_column(column, values, units) for column, values in there.items()]
+        if units is not None:
+            _require_all_units(there, units)
         if runs is not None:
             runs = runs.to_pylist() if hasattr(runs, "to_pylist") else runs  # pyarrow
             columns.append(("curve", ["" if run is None or run != run else str(run) for run in runs]))

@@ -47,7 +47,9 @@ Figure equilibrium_curves(const ReportedData& reported, const std::string& name,
   // Only as far as stable branches extend: towards Hertz at small a, u = 3/4 T/a grows without limit.
   figure.x.high = 1.05 * x_most;
   figure.y.high = 1.1 * y_most;
-  figure.caption = "Equilibrium curves at the data's loads and the fitted parameters; u = 3/4 T/a, not measured.";
+  figure.caption =
+      "Equilibrium curves at the data's loads and the fitted parameters; u = 3/4 T/a, that of nu = 1/2, is not "
+      "measured.";
   return figure;
 }
 

@@ -92,7 +92,7 @@ std::vector<Figure> profile_figures(const ReportedData& reported) {
   for (const FitResult& fit : reported.result.fits)
     for (const FittedParameter& parameter : fit.parameters)
       if (parameter.profile && parameter.profile->points.size() > 2)
-        figures.push_back(profile_figure(reported.stem, fit, parameter));
+        figures.push_back(profile_figure(reported.stem, fit, readable(parameter)));
   return figures;
 }
 

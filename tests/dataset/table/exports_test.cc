@@ -52,8 +52,19 @@ TEST(Exports, WithHeadingsInOtherLanguages) {
            "Normal force, mN;Tangential force, mN;Contact area, mm²",
            "Normal force P (mN);Tangential load T (mN);Contact area A (mm²)",
            "Normal force (F_N) [mN];Friction force (F_T) [mN];Area (A) [mm^2]",
+           "Normalkraft F_N [mN];Reibkraft F_R [mN];Kontaktfläche A_K [mm²]",
+           "Normal force FV [mN];Lateral force (F_lt) [mN];Contact area Ak [mm²]",
        })
     expect_the_experiment(std::string(headings) + "\n" + german());
+}
+
+TEST(Exports, WithAColumnOfAMaximumOrACommandAreNotReadAsOfThePoint) {
+  const TemporaryFolder folder;
+  for (const char* other : {"Reibkraft F_max", "Reibkraft F_sd", "Reibkraft F2", "Reibkraft A_R"})
+    EXPECT_THROW(load_dataset(folder.write(
+                     "a.csv", "Normalkraft [mN];" + std::string(other) + " [mN];Kontaktfläche [mm²]\n1;2;3\n")),
+                 InputError)
+        << other;
 }
 
 /// Whole files of the old Macintosh, files to which another program added lines, a header pasted from elsewhere.
