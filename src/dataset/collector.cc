@@ -102,6 +102,7 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
     line_of_largest_ = row.line();
     along_ = read.axes.q > 0;
   }
+  largest_turn_ = std::max(largest_turn_, std::abs(read.turn));
   direction_ += read.direction;
   weight_ += std::abs(read.direction);
   squares_ += std::norm(read.direction);
@@ -273,6 +274,18 @@ void Collector::add_note_on_axes() {
             rounded(100 * (largest_axes_ - 1), 2) + "%";
   if (columns().has(ColumnId::major) && !columns().has(ColumnId::angle))
     note += "; without the column 'angle' the major axis is taken to lie across the shear";
+  // scikit-image's orientation is in radians, from the vertical of the image
+  constexpr std::size_t kSome = 4;
+  constexpr double kRadians = std::numbers::pi * std::numbers::pi / 180;  // of pi radians, read as degrees
+  if (const Column* const angle = columns().find(ColumnId::angle); angle && angle->unit.dimension == dimension::none &&
+                                                                   data_.points.size() >= kSome && largest_turn_ > 0 &&
+                                                                   largest_turn_ <= kRadians) {
+    data_.axes.clear();
+    data_.notes.push_back(note + "; no angle exceeds " + rounded(largest_turn_ * 180 / std::numbers::pi, 3) +
+                          ": say whether they are in rad or deg by the heading, such as 'Angle (rad)', measured from "
+                          "the shear; until then only the areas are used");
+    return;
+  }
   // Shear stretches a contact along or across itself. Noise has no direction, but few axes may share one by chance: of
   // n alike in 1 of exp(kSurely) as closely as here (Rayleigh's test).
   constexpr double kOblique = 10, kCommon = 0.5, kSurely = 7;

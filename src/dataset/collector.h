@@ -85,6 +85,7 @@ class Collector {
   bool along_ = false;               // the longer of these axes lies along the shear
   std::complex<double> direction_;   // sum of those of the axes; of their sizes: weight_
   double weight_ = 0, squares_ = 0;  // and of their squares
+  double largest_turn_ = 0;          // of the angles of the axes, in rad
 };
 
 }  // namespace mixity

@@ -177,6 +177,7 @@ std::string_view PointReader::read_axes(const ContactLengths& lengths, Numbers& 
   std::optional<double> turn;
   if (const Column* const angle = lengths.one == ColumnId::major ? columns_.find(ColumnId::angle) : nullptr)
     turn = number(ColumnId::angle) * (angle->unit.dimension == dimension::none ? std::numbers::pi / 180 : 1);
+  read.turn = turn.value_or(0);
   const double turned = turn_of_axes(lengths, turn);
   axes.q = std::log(one / other) * turned;
   read.direction = std::polar(std::pow(std::log(one / other), 2), 4 * turn.value_or(0));

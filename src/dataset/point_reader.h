@@ -44,6 +44,7 @@ struct ReadPoint {
   PointEnergies energies;
   PointAxes axes, load;            // load: measured beside a held approach
   std::complex<double> direction;  // of the axes: ln(longer/shorter)^2 e^(4i angle)
+  double turn = 0;                 // that angle in rad, as it was read
   PullOffReading pull_off;
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign

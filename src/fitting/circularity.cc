@@ -9,16 +9,28 @@
 #include "statistics/line_fit.h"
 
 namespace mixity {
+namespace {
 
-std::optional<CircleTest> test_circle(const Dataset& data, const FitResult& fit) {
+/// Standard error of ln(a/b): as stated, or a multiple of the relative error of A.
+double error_of(const PointAxes& axes, const StandardErrors& errors, std::size_t point, const Dataset& data) {
+  return axes.sigma_q > 0 ? axes.sigma_q : errors.axes_factor * errors.A[point] / data.points[point].A;
+}
+
+}  // namespace
+
+std::optional<CircleTest> test_axes(const Dataset& data, const FitResult& fit) {
   constexpr double kFewest = 8;
-  if (data.axes.empty() || !data.has_loads || is_elliptic(fit.model)) return std::nullopt;
+  const bool ellipse = is_elliptic(fit.model);
+  if (data.axes.empty() || !data.has_loads || (ellipse && fit.axes_residuals.size() != fit.used.size()))
+    return std::nullopt;
   const PointPlaces places(data);
   std::vector<double> stretches, ratios;
-  for (const std::size_t i : fit.used) {
-    if (!std::isfinite(data.axes[i].q)) continue;
+  for (std::size_t k = 0; k < fit.used.size(); ++k) {
+    const std::size_t i = fit.used[k];
+    const PointAxes& axes = data.axes[i];
+    if (!std::isfinite(axes.q)) continue;
     stretches.push_back(places.at(i).stretch);
-    ratios.push_back(data.axes[i].q);
+    ratios.push_back(ellipse ? -fit.axes_residuals[k] * error_of(axes, *fit.errors, i, data) : axes.q);
   }
   const LineFit line = fit_line(stretches, ratios);
   if (line.n < kFewest || !(line.xx > 0)) return std::nullopt;
@@ -28,7 +40,7 @@ std::optional<CircleTest> test_circle(const Dataset& data, const FitResult& fit)
                                                             : 0.0};
 }
 
-bool is_no_circle(const FitResult& fit) {
+bool axes_leave_fit(const FitResult& fit) {
   constexpr double kHalfAPercent = 0.005;
   return fit.consistency && fit.consistency->circle && fit.consistency->circle->p_value < kChance &&
          std::abs(std::log(fit.consistency->circle->ratio)) > kHalfAPercent;

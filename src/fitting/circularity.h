@@ -1,4 +1,4 @@
-// Whether contacts whose axes were measured are circles.
+// Whether measured axes are those of the fitted circles or ellipses.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,12 @@
 
 namespace mixity {
 
-/// A line of ln(a/b) over (T over the largest T of its run)^2, by least squares with an offset, which is the camera's
-/// aspect ratio. Null with fewer than eight measured axes, and for models of elliptic contacts, which describe them.
-std::optional<CircleTest> test_circle(const Dataset& data, const FitResult& fit);
+/// A line of ln(a/b), or of what the fit of an ellipse leaves of it, over (T over the largest T of its run)^2, by least
+/// squares with an offset, which is the camera's aspect ratio. Null with fewer than eight measured axes. Where the
+/// errors of axes come from the residuals, these are large under a wrong tie, and no other test would see it.
+std::optional<CircleTest> test_axes(const Dataset& data, const FitResult& fit);
 
 /// Whether the ratio of the axes changes beyond chance, and by more than half a percent.
-bool is_no_circle(const FitResult& fit);
+bool axes_leave_fit(const FitResult& fit);
 
 }  // namespace mixity

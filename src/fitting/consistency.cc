@@ -289,7 +289,7 @@ Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   result.residuals.together =
       mean_correlation(fit) > 0 && independent_points(fit) < kFew * static_cast<double>(runs.size());
   result.beyond = beyond_equilibrium(data, fit);
-  result.circle = test_circle(data, fit);
+  result.circle = test_axes(data, fit);
   result.pull_off = test_pull_off(data, fit);
   // pull-off loads determine the parameters of a contact whose areas hardly change
   result.pinned =

@@ -120,7 +120,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
                    std::optional<double> to_beat) {
   const Message failed = failed_test(data, fit);
   const bool pinned = fit.consistency && fit.consistency->pinned;
-  if (failed.empty() || fit.loss_scale > 0 || pinned || is_no_circle(fit)) return {failed, {}, {}};
+  if (failed.empty() || fit.loss_scale > 0 || pinned || axes_leave_fit(fit)) return {failed, {}, {}};
   const Case of{data, fit, options, refit, to_beat};
   if (auto heavy = of_heavy_points(of)) return {std::move(*heavy), {}, {}};
   if (!fit.budget) return {failed, {}, {}};

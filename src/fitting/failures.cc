@@ -8,6 +8,7 @@
 #include "fitting/circularity.h"
 #include "fitting/consistency.h"
 #include "fitting/pull_off_course.h"
+#include "mechanics/contact_model.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -133,7 +134,11 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (fit.consistency && fit.consistency->pinned)
     return "the areas stay constant along each run within their errors; a pinned contact would look the same, so the "
            "runs do not determine the parameters";
-  if (is_no_circle(fit))
+  if (axes_leave_fit(fit) && is_elliptic(fit.model))
+    return "the axes leave the fit as T grows: at the largest shear a/b is " +
+           rounded(fit.consistency->circle->ratio, 3) +
+           " of what it says; the model, a coupling that is held or the direction of the axes is wrong";
+  if (axes_leave_fit(fit))
     return "the contact is no circle: a/b changes to " + rounded(fit.consistency->circle->ratio, 3) +
            " of its value without shear; " + Remedy::set("shape", "ellipse") + " fits both axes";
   if (const ExactConstant* wrong = wrong_constant(fit)) {

@@ -173,9 +173,8 @@ struct HeavyPoints {
 /// Explanations with a difference in -2 ln L up to this do about as well.
 inline constexpr double kAboutAsWell = 6;
 
-/// Tests of the assumptions of the fit.
-/// Of elliptic contacts fitted as circles: by what a/b has changed at the largest shear, and the probability of that by
-/// chance.
+/// Of measured axes: by what a/b has changed at the largest shear, of an ellipse beyond the fit, and the probability of
+/// that by chance.
 struct CircleTest {
   double ratio, p_value;
 };
@@ -186,6 +185,7 @@ struct PullOffTest {
   double F, p_value;
 };
 
+/// Tests of the assumptions of the fit.
 struct Consistency {
   std::optional<double> chi2_per_freedom, chi2_p;  // for known errors; with a robust loss from the median residual
   ResidualTests residuals;
@@ -193,7 +193,7 @@ struct Consistency {
   std::optional<HeavyPoints> heavy{};     // only in reported fits
   /// Whether the areas stay constant along each run within their scatter, as in a pinned contact (pinned.h).
   bool pinned = false;
-  std::optional<CircleTest> circle{};     // null where no axes were measured, and for models of ellipses
+  std::optional<CircleTest> circle{};     // null where no axes were measured
   std::optional<PullOffTest> pull_off{};  // null with few pull-off loads
 };
 

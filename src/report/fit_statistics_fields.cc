@@ -203,7 +203,9 @@ void describe(Fields<Consistency>& field) {
   field("heavy_points",
         "few points that carry most of the weight, by stated errors far below the others'; null without",
         &Consistency::heavy);
-  field("circle", "of a model of circles, whether measured axes change their ratio; null where none were measured",
+  field("circle",
+        "of measured axes, by what their ratio changes along the shear, of an ellipse beyond the fit; null where none "
+        "were measured",
         &Consistency::circle);
   field("pull_off", "whether pull-off loads leave the fit as the shear grows; null with fewer than six",
         &Consistency::pull_off);

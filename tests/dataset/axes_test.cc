@@ -81,6 +81,25 @@ TEST(Axes, OfTurnedImagesAreNotUsed) {
   EXPECT_EQ(read(round).axes.size(), 20u);
 }
 
+/// Those of scikit-image's regionprops, in rad: as degrees every contact would be long along the shear.
+TEST(Axes, WhoseAnglesMayBeInRadiansAreNotUsedUntilTheUnitIsStated) {
+  const auto table = [](const std::string& heading) {
+    std::string text = "P [mN],T [mN],major_axis_length [mm],minor_axis_length [mm]," + heading + "\n";
+    for (int i = 0; i < 8; ++i)
+      text += "4," + std::to_string(i) + ",0.6,0.5" + std::to_string(99 - 2 * i) + ",1.5" + std::to_string(i) + "\n";
+    return read(text);
+  };
+  const Dataset unstated = table("orientation");
+  EXPECT_TRUE(unstated.axes.empty());
+  EXPECT_EQ(unstated.points.size(), 8u);
+  EXPECT_NE(texts_of(unstated.notes).back().find("no angle exceeds 1.57"), std::string::npos)
+      << texts_of(unstated.notes).back();
+  ASSERT_EQ(table("orientation [rad]").axes.size(), 8u);
+  EXPECT_LT(table("orientation [rad]").axes[0].q, 0);
+  ASSERT_EQ(table("Angle [deg]").axes.size(), 8u);
+  EXPECT_GT(table("Angle [deg]").axes[0].q, 0);
+}
+
 /// A table's `b` of another kind leaves `a` a radius.
 TEST(Axes, AreNotMadeOfARadiusAndANumber) {
   EXPECT_TRUE(read("P [mN],T [mN],a [mm],b [N]\n4,2,0.27,0.3\n").axes.empty());

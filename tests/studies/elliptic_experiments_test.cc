@@ -85,6 +85,23 @@ TEST(EllipticExperiments, NameBothCouplingsWhereTheTieIsWrong) {
   EXPECT_EQ(fit_model(data, "c-ellipse", held).status, FitStatus::ok);
 }
 
+/// Where no errors are stated, those of the axes come from residuals that a wrong tie makes large.
+TEST(EllipticExperiments, NameBothCouplingsWhereTheTieIsWrongAndNoErrorIsStated) {
+  FitOptions held;
+  held.hold = {{"lambda_III", 0.0}};
+  for (const std::uint64_t i : {0, 1, 2}) {
+    Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 3, i);
+    data.errors.clear();
+    for (PointAxes& axes : data.axes) axes = {axes.q, std::numeric_limits<double>::quiet_NaN(), 0};
+    for (const FitResult& fit : {fit_model(data, "c-ellipse-equal"), fit_model(data, "c-ellipse", held)}) {
+      EXPECT_EQ(fit.status, FitStatus::suspect);
+      EXPECT_TRUE(fit.message.text().starts_with("the couplings differ: without the tie lambda_II = 0.0"))
+          << fit.message.text();
+    }
+    EXPECT_EQ(fit_model(data, "c-ellipse").status, FitStatus::ok);
+  }
+}
+
 /// The axes tell lambda_III/(1 - nu): with nu held at another value than the data's, another lambda_III is named.
 TEST(EllipticExperiments, KeepOtherHeldValuesWhereTheTieIsWrong) {
   const Dataset data = simulate(plan_of("c-ellipse", {0.02, 0.005, 0.5}), 3, std::nullopt);
