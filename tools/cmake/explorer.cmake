@@ -30,7 +30,7 @@ set(CMAKE_UNITY_BUILD ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 25)
 add_subdirectory(src)
 # What reads files and writes texts is compiled for size: no fit waits for it.
-foreach(room base table dataset logs analysis studies report)
+foreach(room table dataset logs studies report)
   target_compile_options(mixity_${room} PRIVATE -Os)
 endforeach()
 
