@@ -26,12 +26,24 @@ std::vector<Control> controls(const std::optional<Contact>& contact) {
   return list;
 }
 
-InstabilityReport of_flags(const ContactModel& model) {
-  const ParameterValues p = parameters_from_flags(model);
-  const OutputUnits shown = output_units(model.is_elliptic());
-  const Load load = load_from(flag_of_loads("load"), shown);
+InstabilityReport of_flags(const ContactModel& of_loads) {
+  const bool approach = is_set("approach");
+  if (approach && of_loads.is_elliptic())
+    throw UsageError("--approach and --shape=ellipse: a held approach is known for circles alone");
+  const ParameterValues p = parameters_from_flags(of_loads);
+  const OutputUnits shown = output_units(of_loads.is_elliptic());
+  Load load{};
+  ContactModel model = of_loads;
+  if (approach) {
+    const HeldApproach held = held_approach_from_flags(shown);
+    load = {held.approach, held.approach * shown.displacement_scale};
+    model = of_loads.at_held_approach(held.compliance);
+  } else {
+    load = load_from(flag_of_loads("load"), shown);
+  }
   InstabilityReport report{std::string(model.info().key), {}};
   report.stated = shown.stated;
+  if (approach) report.stated.control = NormalControl::approach;
   if (shown.contact)
     report.units = {shown.force,
                     shown.area(),
@@ -40,7 +52,8 @@ InstabilityReport of_flags(const ContactModel& model) {
                     shown.force_scale,
                     shown.area_scale,
                     shown.displacement_scale,
-                    shown.contact->stiffness_unit()};
+                    shown.contact->stiffness_unit(),
+                    approach ? shown.length : ""};
   for (std::size_t i = 0; i < p.size(); ++i)
     report.parameters.push_back({std::string(model.parameters()[i].name), {p[i]}});
   InstabilityReport::AtLoad at{load.shown, {}};

@@ -10,9 +10,6 @@
 #include "mechanics/ellipse_pressure.h"
 #include "mechanics/held_approach.h"
 
-DEFINE_string(approach, "",
-              "approach of the sphere that is held in place of a load: a number, or a length such as \"2 um\"");
-
 namespace mixity::cli {
 namespace {
 
@@ -59,26 +56,11 @@ void predict(const ContactModel& model) {
   }
 }
 
-/// A length of either sign, dimensionless.
-double approach_from_flag(const OutputUnits& units) {
-  const bool bare = !units.contact;
-  const Quantity given = quantity_from(
-      "approach",
-      bare ? "be a number; a unit needs --radius, --modulus and --toughness" : "be a length, such as \"2 um\"",
-      [&](const Quantity& one) { return bare ? one.unit.text.empty() : one.unit.dimension == dimension::length; });
-  return bare ? given.value : given.si() / units.contact->displacement_unit();
-}
-
 /// The approach is held in place of the load (mechanics/held_approach.h).
 void predict_under_approach(const ContactModel& model) {
-  if (is_set("load") || is_set("loads")) throw UsageError("--approach and --load: one of them is held");
   const ParameterValues p = parameters_from_flags(model);
   const OutputUnits units = output_units();
-  HeldApproach held{approach_from_flag(units)};
-  if (is_set("normal_stiffness"))
-    held.compliance =
-        1 / positive_quantity("normal_stiffness", "N/m",
-                              units.contact ? std::optional(units.contact->stiffness_unit()) : std::nullopt);
+  const HeldApproach held = held_approach_from_flags(units);
   const Shears shears(units);
   require_contact(model, p);
   const ApproachStates found = under_held_approach(model, p, held, shears.T);
@@ -155,9 +137,6 @@ void predict_ellipse(const ContactModel& model) {
 
 int run_predict(const Arguments& arguments) {
   if (!arguments.empty()) {
-    if (is_set("approach"))
-      throw UsageError(
-          "--approach needs --model in place of data; approaches of data are stated by --loads=\"3, 8 um\"");
     const FittedContact fitted("predict", arguments);
     const std::vector<Load> shears = fitted.loads_of("shear");
     fitted.print_areas([&](const Load&) { return shears; });

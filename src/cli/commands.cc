@@ -61,10 +61,11 @@ std::span<const Command> commands() {
        with_fit_flags({"model", "lambda", "parameters", "loads", "shear", "points", "chord", "units"})},
       {"instability",
        run_instability,
-       "instability DATA.csv|FIT.toml [--model=KEY] [--loads=P1,P2] | --model=KEY --lambda=L --load=P [flags]",
+       "instability DATA.csv|FIT.toml [--model=KEY] [--loads=P1,P2] | --model=KEY --lambda=L "
+       "--load=P|--approach=D [flags]",
        "Lists every fold: where the contact jumps, to which state, and the area lost; for a fit, with standard errors.",
-       with_fit_flags(
-           {"model", "lambda", "lambda_II", "lambda_III", "parameters", "loads", "stiffness", "format", "units"}),
+       with_fit_flags({"model", "lambda", "lambda_II", "lambda_III", "parameters", "loads", "approach", "stiffness",
+                       "format", "units"}),
        {"text", "json"}},
       {"map", run_map,
        "map --model=KEY [--load_range=P1,P2] [--lambda_range=L1,L2] [--axis=NAME] [--tau0=S|--boundaries]",

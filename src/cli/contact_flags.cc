@@ -8,6 +8,8 @@
 #include "base/text.h"
 #include "dataset/metadata.h"
 
+DEFINE_string(approach, "",
+              "approach of the sphere that is held in place of a load: a number, or a length such as \"2 um\"");
 DEFINE_string(lambda, "", "mode-mixity parameter lambda");
 DEFINE_string(lambda_II, "", "of an ellipse: lambda at the front and rear, where mode II acts");
 DEFINE_string(lambda_III, "", "of an ellipse: lambda at the sides, where mode III acts");
@@ -33,9 +35,11 @@ OutputUnits output_units(bool of_ellipse) {
   if (of_ellipse && metadata.mode_III != ModeIII::unstated)
     throw UsageError("--mode_III is about circles; the equations of an ellipse have modes II and III where they act");
   if (metadata.control == NormalControl::approach)
-    throw UsageError("--control=approach is about data; of a model, predict --approach=D holds the approach D");
+    throw UsageError(
+        "--control=approach is about data; of a model, --approach=D of predict and instability holds the approach D");
   if (is_set("normal_stiffness") && !is_set("approach"))
-    throw UsageError("--normal_stiffness needs --approach, which predict knows, or data with control = approach");
+    throw UsageError(
+        "--normal_stiffness needs --approach, which predict and instability know, or data with control = approach");
   require_whole_modulus(metadata, {}, overrides);
   OutputUnits units;
   units.shear_weight = metadata.shear_weight();
@@ -165,6 +169,21 @@ void require_no_other(const Texts& given, const ContactModel& model) {
 }
 
 }  // namespace
+
+HeldApproach held_approach_from_flags(const OutputUnits& units) {
+  if (is_set("load") || is_set("loads")) throw UsageError("--approach and --load: one of them is held");
+  const bool bare = !units.contact;
+  const Quantity given = quantity_from(
+      "approach",
+      bare ? "be a number; a unit needs --radius, --modulus and --toughness" : "be a length, such as \"2 um\"",
+      [&](const Quantity& one) { return bare ? one.unit.text.empty() : one.unit.dimension == dimension::length; });
+  HeldApproach held{bare ? given.value : given.si() / units.contact->displacement_unit()};
+  if (is_set("normal_stiffness"))
+    held.compliance =
+        1 / positive_quantity("normal_stiffness", "N/m",
+                              units.contact ? std::optional(units.contact->stiffness_unit()) : std::nullopt);
+  return held;
+}
 
 ContactModel model_from(const std::string& key) {
   require_model("model", key);

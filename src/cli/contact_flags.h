@@ -11,6 +11,7 @@
 #include "dataset/metadata.h"
 #include "mechanics/contact.h"
 #include "mechanics/contact_model.h"
+#include "mechanics/held_approach.h"
 
 namespace mixity::cli {
 
@@ -51,6 +52,9 @@ std::vector<Load> loads_from(const std::string& flag, const OutputUnits& units);
 
 /// The same for a flag with exactly one load.
 Load load_from(const std::string& flag, const OutputUnits& units);
+
+/// --approach and --normal_stiffness, dimensionless; throws UsageError if a load is given, too.
+HeldApproach held_approach_from_flags(const OutputUnits& units);
 
 /// The model with this key; throws UsageError if there is none.
 ContactModel model_from(const std::string& key);

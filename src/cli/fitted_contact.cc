@@ -17,6 +17,8 @@ namespace mixity::cli {
 namespace {
 
 Analysis fitted(const std::string& command, const Arguments& arguments) {
+  if (is_set("approach"))
+    throw UsageError("--approach needs --model in place of data; approaches of data are stated by --loads=\"3, 8 um\"");
   if (arguments.size() != 1) throw UsageError(command + " takes one data CSV or fit definition");
   const std::string& path = arguments[0];
   for (const char* flag : {"lambda", "parameters", "units"})

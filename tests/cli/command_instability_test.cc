@@ -161,6 +161,26 @@ TEST(InstabilityCommand, SaysWhereTheInterfaceSlidesBeforeItJumps) {
   EXPECT_EQ(strong["slides_first"], nlohmann::json::array());
 }
 
+TEST(InstabilityCommand, HasTheFoldsOfAHeldApproach) {
+  const Words contact{"--model=c", "--lambda=0.05", "--approach=3", "--normal_stiffness=2"};
+  const auto with = [&](Words words, const Words& more) {
+    words.insert(words.end(), contact.begin(), contact.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const Json report = json_of(with({"instability"}, {"--format=json"}));
+  EXPECT_EQ(report["control"], "approach");
+  EXPECT_EQ(report["load"], 3.0);
+  ASSERT_EQ(report["folds"].size(), 2u);
+  // 6 digits, as `predict` says it of the same contact
+  const ProgramResult predicted = run_program(with({"predict"}, {"--shear=200"}));
+  const std::size_t at = predicted.err.find("jumps at T = ");
+  ASSERT_NE(at, std::string::npos) << predicted.err;
+  EXPECT_NEAR(report["folds"][0]["T"], std::strtod(predicted.err.c_str() + at + 13, nullptr), 1e-4);
+  EXPECT_GT(report["folds"][1]["u"], report["folds"][0]["u"]);
+  EXPECT_EQ(run_program({"instability", MIXITY_ROOT "/data/mergel2018.csv", "--approach=3 um"}).exit_code, 2);
+}
+
 Words of_ellipse(const Words& more) {
   Words words{"instability", "--shape=ellipse", "--poisson_ratio=0.5"};
   words.insert(words.end(), more.begin(), more.end());
