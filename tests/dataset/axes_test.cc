@@ -50,7 +50,21 @@ TEST(Axes, HaveTheErrorsThatAreStated) {
             1u);  // on the axes: these errors stand in columns, not in the fields of values
   const Dataset of_cells = read("P [mN],T [mN],d_par [mm],d_perp [mm]\n4,2,0.54 +/- 0.0054,0.6 +/- 2%\n");
   EXPECT_NEAR(of_cells.axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12);
+  // under the names of the axes: those of whole axes are twice as large
+  for (const std::string table :
+       {"a [mm],b [mm],sigma_a [mm],sigma_b [%]\n4,2,0.27,0.3,0.0027,2",
+        "d_par [mm],d_perp [mm],sigma_d_par [mm],sigma_d_perp [%]\n4,2,0.54,0.6,0.0054,2",
+        "Minor [mm],Major [mm],sigma_Minor [um],sigma_Major [mm]\n4,2,0.54,0.6,5.4,0.012",
+        "d_par [mm],d_perp [mm],sigma_a_par [mm],sigma_a_perp [mm]\n4,2,0.54,0.6,0.0027,0.006"})
+    EXPECT_NEAR(read("P [mN],T [mN]," + table + "\n").axes[0].sigma_q, std::hypot(0.01, 0.02), 1e-12) << table;
   EXPECT_TRUE(std::isnan(read("P [mN],T [mN],a_par [mm],a_perp [mm]\n4,2,0.27,0.3\n").axes[0].sigma_q));
+}
+
+TEST(Axes, WhoseErrorIsOfNoColumnSaySo) {
+  const Dataset data = read("P [mN],T [mN],a [mm],sigma_a [mm]\n4,2,0.27,0.0027\n");
+  ASSERT_FALSE(data.notes.empty());
+  EXPECT_EQ(data.notes.back().text(),
+            "column 'sigma_a' is not used: it is the standard error of no column that is read");
 }
 
 /// The image is turned by 30 degrees: the axes lie at 30 and 120. Nearly round contacts have any direction.

@@ -128,6 +128,28 @@ inline constexpr std::array<ContactLengths, 5> kContactLengths{{
     {ColumnId::d_par, ColumnId::d_perp, 4},
     {ColumnId::major, ColumnId::minor, 4},
 }};
+/// Other names of the errors of axes, beside the lengths that they are of: of semi-axes called a and b, or of whole
+/// axes, which are twice as large.
+struct ErrorOfAxis {
+  std::string_view name;
+  ColumnId id, beside;
+  double per_semi_axis;
+};
+inline constexpr std::array<ErrorOfAxis, 8> kErrorsOfAxes{{
+    {"sigma_a", ColumnId::sigma_a_par, ColumnId::a_par, 1},
+    {"sigma_b", ColumnId::sigma_a_perp, ColumnId::a_perp, 1},
+    {"sigma_d_par", ColumnId::sigma_a_par, ColumnId::d_par, 2},
+    {"sigma_d_perp", ColumnId::sigma_a_perp, ColumnId::d_perp, 2},
+    {"sigma_major", ColumnId::sigma_a_par, ColumnId::major, 2},
+    {"sigma_minor", ColumnId::sigma_a_perp, ColumnId::minor, 2},
+    {"sigma_Major", ColumnId::sigma_a_par, ColumnId::major, 2},
+    {"sigma_Minor", ColumnId::sigma_a_perp, ColumnId::minor, 2},
+}};
+inline const ErrorOfAxis* error_of_axis(std::string_view name) {
+  for (const ErrorOfAxis& one : kErrorsOfAxes)
+    if (one.name == name) return &one;
+  return nullptr;
+}
 /// What multiplies ln(one/other) to give ln(a/b) of the semi-axes along and across the shear. `angle` [rad]: of the
 /// longer axis from the shear; without it an image program's ellipse is taken as shorter along the shear.
 inline double turn_of_axes(const ContactLengths& lengths, std::optional<double> angle) {

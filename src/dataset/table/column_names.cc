@@ -71,6 +71,14 @@ class Names {
     }
   }
 
+  /// "sigma_b", "sigma_d_par", "sigma_Major" (error_of_axis).
+  void add_errors_of_axes() {
+    for (std::size_t i = 0; i < headings_.size(); ++i)
+      if (const ErrorOfAxis* const error = error_of_axis(headings_[i].name);
+          error && !at(i) && !find(error->id) && find(error->beside) && unit_fits(headings_[i].unit, error->id))
+        columns_.push_back({error->id, i, headings_[i]});
+  }
+
   /// "T (s)", as testers of friction write it: T is a time where its unit is one.
   void add_times_called_T() {
     for (std::size_t i = 0; i < headings_.size() && rules_.log; ++i)
@@ -287,6 +295,7 @@ std::vector<NamedColumn> name_columns(const std::string& path, const std::vector
     names.add_time_with_other_words();
     names.add_misfits();
   }
+  if (!rules.log) names.add_errors_of_axes();
   names.drop_redundant_sizes();
   names.drop_what_pull_off_lacks();
   names.take_clock_of_channels();

@@ -125,6 +125,9 @@ Columns::Columns(const std::string& path, const std::vector<Heading>& headings, 
     const ColumnKind& kind = kind_of(column.id);
     by_id[static_cast<std::size_t>(column.id)] =
         Column{column.id, column.index, unit_of(column.heading, kind, path, headings.size() == 1, rules.pixel)};
+    Unit& unit = by_id[static_cast<std::size_t>(column.id)]->unit;
+    if (const ErrorOfAxis* const error = error_of_axis(column.heading.name); error && unit.text != "%")
+      unit.factor /= error->per_semi_axis;
     used[column.index] = true;
     mapped.emplace(kind.name, mapped_as(column, headings));
     needed = std::max(needed, column.index + 1);
@@ -158,6 +161,8 @@ void Columns::find_unused(const std::vector<Heading>& headings, const std::vecto
       unused.emplace_back(name, "did you mean " + std::string(to_string(*meant)) + "?");
       continue;
     }
+    if (!id && heading.name.starts_with("sigma"))
+      unused.emplace_back(name, "it is the standard error of no column that is read");
     const bool of_approach = id && (*id == ColumnId::delta || *id == ColumnId::sigma_P);
     if (!id || is_clock(*id) || (of_approach && !rules.approach_held)) continue;
     // many a file has displacements that are none of a pull-off
