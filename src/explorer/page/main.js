@@ -36,8 +36,10 @@ async function start() {
     choice.append(' ', button);
   }
   performance.mark('ready');
-  const [[table], beside] = sample();
-  engine.warmUp({[table.name]: table.bytes, [table.name.replace('.csv', '.toml')]: beside[table.name].bytes});
+  if (!engine.files.busy) {  // otherwise the user's own files do it
+    const [[table], beside] = sample();
+    engine.warmUp({[table.name]: table.bytes, [table.name.replace('.csv', '.toml')]: beside[table.name].bytes});
+  }
   window.explorer = {engine, models, experiment};  // for use from the browser's console
 }
 
