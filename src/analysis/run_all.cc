@@ -11,10 +11,8 @@
 #include "base/threads.h"
 
 namespace mixity {
-namespace {
 
-/// Whether the request's files are so small that several fits at once need little memory.
-bool is_small(const FitRequest& request) {
+bool has_small_files(const FitRequest& request) {
   constexpr std::uintmax_t kSmall = 1 << 22;
   std::uintmax_t size = 0;
   const auto add = [&](const std::string& path) {
@@ -26,8 +24,6 @@ bool is_small(const FitRequest& request) {
   for (const RunFile& file : request.runs) add(file.path);
   return size < kSmall;
 }
-
-}  // namespace
 
 std::vector<Analysis> run_all(const std::vector<FitRequest>& requests,
                               const std::function<Analysis(const FitRequest&, const Progress&)>& run_one,
@@ -50,7 +46,7 @@ std::vector<Analysis> run_all(const std::vector<FitRequest>& requests,
   };
   std::vector<std::size_t> small;
   for (std::size_t i = 0; i < n; ++i)
-    if (is_small(requests[i])) small.push_back(i);
+    if (has_small_files(requests[i])) small.push_back(i);
   parallel_for(small.size(), [&](std::size_t k) { work(small[k]); });
   for (std::size_t i = 0; i < n; ++i)
     if (!found[i] && !failures[i]) work(i);

@@ -15,6 +15,7 @@
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
+#include "cli/memory.h"
 #include "cli/progress.h"
 #include "report/fit_csv.h"
 #include "report/fit_json.h"
@@ -84,6 +85,7 @@ int run_fit(const Arguments& arguments) {
   if (!FLAGS_save.empty()) require_definition_path(path_to_save());
   bool all_ok = true;
   const Progress progress = progress_line("fit");
+  keep_freed_memory(requests);
   std::vector<Analysis> results = run_all(
       requests,
       [](const FitRequest& one, const Progress& part) {

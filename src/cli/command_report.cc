@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/fit_flags.h"
 #include "cli/flags.h"
+#include "cli/memory.h"
 #include "cli/progress.h"
 #include "report/fit_table.h"
 #include "report/report.h"
@@ -38,6 +39,7 @@ int run_report(const Arguments& arguments) {
   constexpr double kFits = 0.7;  // share of the time
   const std::vector<FitRequest> requests = requests_for(arguments);
   const auto one = [](const FitRequest& request, const Progress& part) { return run_for_report(request, part); };
+  keep_freed_memory(requests);
   std::vector<Analysis> results = run_all(requests, one, stretch(progress, 0, kFits));
   const std::vector<ReportedData> data = reported_data(results);
   const WrittenReport written = write_report(

@@ -186,12 +186,20 @@ std::string DistinctNames::free_name(const std::string& wanted) {
 
 std::vector<std::vector<std::size_t>> points_by_curve(const Dataset& data) {
   std::vector<std::vector<std::size_t>> runs(data.curves.size());
+  std::vector<std::size_t> sizes(runs.size());
+  for (const Point& point : data.points) ++sizes[point.curve];
+  for (std::size_t run = 0; run < runs.size(); ++run) runs[run].reserve(sizes[run]);
   for (std::size_t i = 0; i < data.points.size(); ++i) runs[data.points[i].curve].push_back(i);
   return runs;
 }
 
 PointPlaces::PointPlaces(const Dataset& data) : data_(data), largest_(data.curves.size()) {
-  for (const Point& point : data.points) largest_[point.curve] = std::max(largest_[point.curve], point.shear());
+  for (auto point = data.points.begin(); point != data.points.end();) {  // stretches of one run
+    const std::size_t run = point->curve;
+    double most = largest_[run];
+    for (; point != data.points.end() && point->curve == run; ++point) most = std::max(most, point->shear());
+    largest_[run] = most;
+  }
 }
 
 PointPlace PointPlaces::at(std::size_t i, double T) const {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
-#include "base/threads.h"
 #include "fitting/circularity.h"
 #include "fitting/course.h"
 #include "fitting/fitted_errors.h"
@@ -75,6 +75,11 @@ class EndsTest {
     for (std::size_t i = last; i < beside; ++i) beside_.add(r[order[i]], repeats[order[i]]);
   }
 
+  void add(const EndsTest& run) {
+    at_end_.add(run.at_end_);
+    beside_.add(run.beside_);
+  }
+
   void finish(const FitResult& fit, ResidualTests& tests) const {
     constexpr double kEnough = 10;  // informative points beside the ends
     if (!(at_end_.told > 0)) return;
@@ -95,6 +100,12 @@ class EndsTest {
       squares += r * r;
       ++points;
       told += repeat ? 0 : 1;
+    }
+    void add(const Part& other) {
+      sum += other.sum;
+      squares += other.squares;
+      points += other.points;
+      told += other.told;
     }
     double sum = 0, squares = 0, points = 0, told = 0;  // told: number of points that do not repeat
   };
@@ -159,16 +170,20 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
     for (double& r : changed) r = std::clamp(r, -fit.loss_scale, fit.loss_scale);
   const std::vector<double>& residuals = changed.empty() ? fit.innovations : changed;
   const PointsByRun runs(data, fit.used);
-  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, farther = 0;
-  EndsTest ends;
-  for (std::size_t g = 0; g < runs.runs(); ++g) {
-    if (runs.size(g) < ResidualTests::kLeastRun) continue;
+  struct OfRun {
+    double square = 0, product = 0, of_products = 0, farther = 0;
+    ResidualTests::Run run{};
+    EndsTest ends{};
+  };
+  std::vector<OfRun> of_runs(runs.runs());
+  runs.for_each_run([&](std::size_t g) {
+    if (runs.size(g) < ResidualTests::kLeastRun) return;
     const std::size_t c = runs.run(g);
+    OfRun& here = of_runs[g];
     std::vector<double> r, t;
     std::vector<bool> repeats;
     r.reserve(runs.size(g));
     t.reserve(runs.size(g));
-    double square = 0;
     std::optional<std::size_t> before;
     for (std::size_t k = 0; k < runs.size(g); ++k) {
       const std::size_t i = runs.at(g, k), point = fit.used[i];
@@ -177,20 +192,27 @@ ResidualTests test_residuals(const Dataset& data, const FitResult& fit) {
       before = point;
       r.push_back(residuals[i]);
       t.push_back(data.has_loads ? T(i) : std::asin(data.converted[point].mixity.sin));
-      square += r.back() * r.back();
+      here.square += r.back() * r.back();
     }
-    if (data.has_loads) ends.add(t, r, repeats);
-    const auto [sum, of_squares] = neighbour_products(r);
+    if (data.has_loads) here.ends.add(t, r, repeats);
+    std::tie(here.product, here.of_products) = neighbour_products(r);
     for (std::size_t lag = 2; lag <= std::min(kFarthest, r.size() / 4); ++lag)
-      farther += std::inner_product(r.begin() + static_cast<std::ptrdiff_t>(lag), r.end(), r.begin(), 0.0);
-    const ResidualTests::Run run{c < data.curves.size() ? data.curves[c] : std::string(), r.size(), runs_of_one_sign(r),
-                                 square > 0 ? sum / square : 0, trend_of(t, r)};
-    z += run.runs;
-    trend += run.trend * run.trend;
-    squares += square;
-    product += sum;
-    of_products += of_squares;
-    tests.runs.push_back(run);
+      here.farther += std::inner_product(r.begin() + static_cast<std::ptrdiff_t>(lag), r.end(), r.begin(), 0.0);
+    here.run = {c < data.curves.size() ? data.curves[c] : std::string(), r.size(), runs_of_one_sign(r),
+                here.square > 0 ? here.product / here.square : 0, trend_of(t, r)};
+  });
+  double z = 0, trend = 0, squares = 0, product = 0, of_products = 0, farther = 0;
+  EndsTest ends;
+  for (const OfRun& one : of_runs) {
+    if (one.run.points == 0) continue;
+    ends.add(one.ends);
+    z += one.run.runs;
+    trend += one.run.trend * one.run.trend;
+    squares += one.square;
+    product += one.product;
+    of_products += one.of_products;
+    farther += one.farther;
+    tests.runs.push_back(one.run);
   }
   if (tests.runs.empty()) return tests;
   const auto m = static_cast<double>(tests.runs.size());
@@ -213,24 +235,28 @@ std::optional<double> over_neighbours(const Dataset& data, const FitResult& fit)
   const Shears T(data, fit);
   const std::vector<double>& r = fit.innovations.empty() ? fit.residuals : fit.innovations;
   const PointsByRun in_runs(data, fit.used);
-  std::vector<std::vector<std::uint32_t>> by_T(in_runs.runs());
-  const auto sort = [&](std::size_t g) {
-    by_T[g].resize(in_runs.size(g));
-    for (std::size_t k = 0; k < by_T[g].size(); ++k) by_T[g][k] = static_cast<std::uint32_t>(in_runs.at(g, k));
-    std::stable_sort(by_T[g].begin(), by_T[g].end(),
-                     [&](std::size_t one, std::size_t other) { return std::abs(T(one)) < std::abs(T(other)); });
+  struct Sums {
+    double squares = 0, differences = 0, triples = 0;
   };
-  if (fit.used.size() < kManyPoints)
-    for (std::size_t g = 0; g < by_T.size(); ++g) sort(g);
-  else
-    parallel_for(by_T.size(), sort);
-  for (const std::vector<std::uint32_t>& run : by_T) {
+  std::vector<Sums> of_runs(in_runs.runs());
+  in_runs.for_each_run([&](std::size_t g) {
+    std::vector<std::uint32_t> run(in_runs.size(g));
+    for (std::size_t k = 0; k < run.size(); ++k) run[k] = static_cast<std::uint32_t>(in_runs.at(g, k));
+    std::stable_sort(run.begin(), run.end(),
+                     [&](std::size_t one, std::size_t other) { return std::abs(T(one)) < std::abs(T(other)); });
+    Sums sums;
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const double before = r[run[i - 1]], here = r[run[i]], behind = r[run[i + 1]];
-      squares += (before * before + 4 * here * here + behind * behind) / 6;  // weighted like the differences
-      differences += std::pow(before - 2 * here + behind, 2) / 6;
-      ++triples;
+      sums.squares += (before * before + 4 * here * here + behind * behind) / 6;  // weighted like the differences
+      sums.differences += std::pow(before - 2 * here + behind, 2) / 6;
+      ++sums.triples;
     }
+    of_runs[g] = sums;
+  });
+  for (const Sums& one : of_runs) {
+    squares += one.squares;
+    differences += one.differences;
+    triples += one.triples;
   }
   if (triples < kEnough || !(differences > 0)) return std::nullopt;
   return std::sqrt(squares / differences);

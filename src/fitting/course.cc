@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fitting/run_differences.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
@@ -19,22 +20,23 @@ using Run = std::array<Part, kParts>;
 /// The parts of all runs that are long enough.
 template <class Shear, class Residual>
 std::vector<Run> parts_of(const Dataset& data, const PointIndices& used, const Shear& T, const Residual& residual) {
-  std::vector<double> largest(data.curves.size());
-  std::vector<std::size_t> points(data.curves.size());
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const std::size_t run = data.points[used[i]].curve;
-    largest[run] = std::max(largest[run], std::abs(T(i)));
-    ++points[run];
-  }
-  std::vector<Run> runs(data.curves.size());
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    const std::size_t run = data.points[used[i]].curve;
-    if (points[run] < 2 * kParts || !(largest[run] > 0)) continue;
-    const double place = std::abs(T(i)) / largest[run] * kParts;
-    Part& part = runs[run][std::min(static_cast<std::size_t>(place), kParts - 1)];
-    ++part.points;
-    part.sum += residual(i);
-  }
+  const PointsByRun in_runs(data, used);
+  std::vector<Run> runs(in_runs.runs());
+  in_runs.for_each_run([&](std::size_t g) {
+    const std::size_t size = in_runs.size(g);
+    double largest = 0;
+    for (std::size_t k = 0; k < size; ++k) largest = std::max(largest, std::abs(T(in_runs.at(g, k))));
+    if (size < 2 * kParts || !(largest > 0)) return;
+    Run run;
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t i = in_runs.at(g, k);
+      const double place = std::abs(T(i)) / largest * kParts;
+      Part& part = run[std::min(static_cast<std::size_t>(place), kParts - 1)];
+      ++part.points;
+      part.sum += residual(i);
+    }
+    runs[g] = run;
+  });
   std::erase_if(runs, [](const Run& run) {
     return std::all_of(run.begin(), run.end(), [](const Part& part) { return part.points == 0; });
   });

@@ -12,11 +12,15 @@
 namespace mixity {
 namespace {
 
+/// Sums about the weighted means of a run, and about its line: xx > 0 if there is one.
+struct LineOfRun {
+  double points = 0, xx = 0, xy = 0;
+  double squares = 0, products = 0;  // of the residuals about the line, and of neighbours among them
+};
+
 /// Areas of a run against (T/T_largest)^2, both about their weighted means, relative to the mean area.
 class AreasOfRun {
  public:
-  double xx = 0, xy = 0, squares = 0, products = 0;  // of the residuals about the line, and of neighbours among them
-
   /// `sigma`: of the area; 0: proportional errors.
   void add(const Point& point, double sigma) {
     T2_.push_back(point.T * point.T);
@@ -24,11 +28,10 @@ class AreasOfRun {
     weights_.push_back(sigma > 0 ? 1 / (sigma * sigma) : 0);
     sum_ += point.A;
   }
-  double points() const { return static_cast<double>(A_.size()); }
-
-  /// False without shear.
-  bool fit_line() {
-    const double largest = *std::max_element(T2_.begin(), T2_.end()), area = sum_ / points();
+  LineOfRun fit_line() {
+    LineOfRun line{static_cast<double>(A_.size())};
+    auto& [points, xx, xy, squares, products] = line;
+    const double largest = *std::max_element(T2_.begin(), T2_.end()), area = sum_ / points;
     double weights = 0, x = 0, y = 0;
     for (std::size_t i = 0; i < A_.size(); ++i) {
       if (weights_[i] == 0) weights_[i] = 1 / (area * area);
@@ -42,7 +45,7 @@ class AreasOfRun {
       xx += weights_[i] * T2_[i] * T2_[i];
       xy += weights_[i] * T2_[i] * A_[i];
     }
-    if (!(xx > 0)) return false;
+    if (!(xx > 0)) return line;
     double before = 0;
     for (std::size_t i = 0; i < A_.size(); ++i) {
       const double residual = std::sqrt(weights_[i]) * (A_[i] - xy / xx * T2_[i]);
@@ -50,7 +53,7 @@ class AreasOfRun {
       products += residual * before;
       before = residual;
     }
-    return true;
+    return line;
   }
 
  private:
@@ -97,15 +100,19 @@ bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const d
   constexpr double kEnough = 5, kEnoughInAll = 10;  // points in a run; degrees of freedom in all
   double lines = 0, freedom = 0, slopes = 0, sizes = 0, falls = 0, squares = 0, products = 0;
   const PointsByRun runs(data, used);
-  for (std::size_t g = 0; g < runs.runs(); ++g) {
+  std::vector<LineOfRun> of_runs(runs.runs());
+  runs.for_each_run([&](std::size_t g) {
     AreasOfRun run;
     for (std::size_t k = 0; k < runs.size(g); ++k) {
       const std::size_t point = used[runs.at(g, k)];
       run.add(data.points[point], sigma_A.empty() ? 0 : sigma_A[point]);
     }
-    if (run.points() < kEnough || !run.fit_line()) continue;
+    of_runs[g] = run.fit_line();
+  });
+  for (const LineOfRun& run : of_runs) {
+    if (run.points < kEnough || !(run.xx > 0)) continue;
     ++lines;
-    freedom += run.points() - 2;
+    freedom += run.points - 2;
     slopes += run.xy;
     sizes += run.xx;
     falls += run.xy * run.xy / run.xx;

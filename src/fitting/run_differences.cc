@@ -29,9 +29,11 @@ PointsByRun::PointsByRun(const Dataset& data, const PointIndices& used) : begins
   const auto run_of = [&](std::size_t i) { return data.points[used[i]].curve; };
   std::vector<std::size_t> next(std::max<std::size_t>(data.curves.size(), 1));
   bool sorted = true;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    ++next[run_of(i)];
-    sorted &= i == 0 || run_of(i - 1) <= run_of(i);
+  for (std::size_t i = 0, end = 0; i < used.size(); i = end) {  // stretches of one run
+    const std::size_t run = run_of(i);
+    for (end = i + 1; end < used.size() && run_of(end) == run;) ++end;
+    next[run] += end - i;
+    sorted &= end == used.size() || run < run_of(end);
   }
   for (std::size_t run = 0; run < next.size(); ++run) {
     const std::size_t size = std::exchange(next[run], begins_.back());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/threads.h"
 #include "fitting/point_indices.h"
 #include "fitting/prepare.h"
 #include "solver/random_effects.h"
@@ -29,6 +30,12 @@ class PointsByRun {
   /// The k-th point of a run, as an index into `used`.
   std::size_t at(std::size_t g, std::size_t k) const {
     return order_.empty() ? begins_[g] + k : order_[begins_[g] + k];
+  }
+  /// Calls body(g) for each run; of many points, on several threads.
+  template <class Body>
+  void for_each_run(const Body& body) const {
+    if (begins_.back() >= kManyPoints) return parallel_for(runs(), body);
+    for (std::size_t g = 0; g < runs(); ++g) body(g);
   }
 
  private:

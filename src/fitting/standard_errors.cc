@@ -87,6 +87,7 @@ std::optional<double> relative_scatter(const Dataset& data) {
     }
     if (run.size() < 3) return;
     Slopes slopes(data, run);
+    ratios.reserve(run.size() - 2);
     for (std::size_t i = 1; i + 1 < run.size(); ++i) {
       const Point &low = data.points[run[i - 1]], &mid = data.points[run[i]], &high = data.points[run[i + 1]];
       const double width = high.shear() - low.shear();
@@ -102,6 +103,7 @@ std::optional<double> relative_scatter(const Dataset& data) {
   else
     parallel_for(runs.size(), find_ratios);
   std::vector<double> ratios;
+  ratios.reserve(data.points.size());
   for (std::vector<double>& one : of_runs) {
     ratios.insert(ratios.end(), one.begin(), one.end());
     one = std::vector<double>();
@@ -124,11 +126,11 @@ ErrorModel understand(const Dataset& data, const std::string& name, const std::o
   return relative ? ErrorModel{0, stated->si()} : ErrorModel{stated->si() / unit, 0};
 }
 
-/// Raises errors of 0 to kLeastError of `largest_value`; returns their number.
-std::size_t raise_zeros(std::vector<double>& errors, double largest_value) {
+/// Raises errors of 0 to kLeastError of the largest value; returns their number.
+std::size_t raise_zeros(std::vector<double>& errors, const Dataset& data, double Point::*quantity) {
   const auto is_zero = [](double error) { return !(error > 0); };
   const auto zeros = std::count_if(errors.begin(), errors.end(), is_zero);
-  std::replace_if(errors.begin(), errors.end(), is_zero, kLeastError * largest_value);
+  if (zeros > 0) std::replace_if(errors.begin(), errors.end(), is_zero, kLeastError * largest_value(data, quantity));
   return static_cast<std::size_t>(zeros);
 }
 
@@ -149,8 +151,8 @@ std::optional<ErrorModel> proportional(const Dataset& data, const std::vector<do
 std::pair<double, double> steps(const Dataset& data) {
   std::vector<std::vector<double>> T, A;
   for (const auto& run : points_by_curve(data)) {
-    T.emplace_back();
-    A.emplace_back();
+    T.emplace_back().reserve(run.size());
+    A.emplace_back().reserve(run.size());
     for (const std::size_t i : run) {
       T.back().push_back(data.points[i].shear());
       A.back().push_back(data.points[i].A);
@@ -233,8 +235,8 @@ StandardErrors standard_errors(const Dataset& data, const std::optional<StatedEr
   errors.model_T = model(errors.source_T, stated_T, errors.T, &Point::T);
   errors.model_A = model(errors.source_A, stated_A, errors.A, &Point::A);
   if (both_axes) {
-    const std::size_t zeros_T = raise_zeros(errors.T, largest_value(data, &Point::T)),
-                      zeros_A = raise_zeros(errors.A, largest_value(data, &Point::A));
+    const std::size_t zeros_T = raise_zeros(errors.T, data, &Point::T),
+                      zeros_A = raise_zeros(errors.A, data, &Point::A);
     // an error of 0 that is a percentage of T = 0 was not stated as 0
     if (errors.source_T == ErrorSource::columns || (sigma_T && stated_T.constant + stated_T.share == 0))
       errors.raised_T = zeros_T;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/stop.h"
+#include "base/threads.h"
 
 namespace mixity {
 namespace {
@@ -22,12 +23,45 @@ class PackedToughness final : public Cost {
 
   bool exact_curvature() const override { return true; }
   void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
+    std::vector<Sums> pieces((points_.size() + kPiece - 1) / kPiece);
+    const auto add = [&](std::size_t piece) {
+      const std::size_t begin = piece * kPiece;
+      pieces[piece] = sums(x[0], begin, std::min(points_.size(), begin + kPiece), weights);
+    };
+    if (pieces.size() > 1)
+      parallel_for(pieces.size(), add);
+    else if (!pieces.empty())
+      add(0);
+    Sums all;
+    for (const Sums& piece : pieces) all.add(piece);
+    cost.value = all.value;
+    cost.gradient.setConstant(1, all.slope);
+    cost.hessian.setConstant(1, 1, all.square + all.bend);
+    cost.slope_size.setConstant(1, std::sqrt(all.square));
+    cost.finite = std::isfinite(cost.value) && std::isfinite(cost.gradient[0]) && std::isfinite(cost.hessian(0, 0));
+  }
+
+ private:
+  static constexpr std::size_t kPackedChunk = 512;           // a multiple of four
+  static constexpr std::size_t kPiece = 128 * kPackedChunk;  // for one thread
+
+  struct Sums {
+    double value = 0, slope = 0, square = 0, bend = 0;
+    void add(const Sums& other) {
+      value += other.value;
+      slope += other.slope;
+      square += other.square;
+      bend += other.bend;
+    }
+  };
+
+  Sums sums(double x, std::size_t first, std::size_t last, std::span<const double> weights) const {
     // Four sums of each kind, which compilers keep in vector registers. The order, and so the result, is fixed.
     double value[4]{}, slope[4]{}, square[4]{}, bend[4]{};
     std::array<double, kPackedChunk> f, f1, f2;  // ln f and its derivatives
-    for (std::size_t begin = 0; begin < points_.size(); begin += kPackedChunk) {
-      const std::size_t n = std::min(kPackedChunk, points_.size() - begin);
-      model_.packed_log_toughness(x[0], points_, begin, n, f.data(), f1.data(), f2.data());
+    for (std::size_t begin = first; begin < last; begin += kPackedChunk) {
+      const std::size_t n = std::min(kPackedChunk, last - begin);
+      model_.packed_log_toughness(x, points_, begin, n, f.data(), f1.data(), f2.data());
       const double *const own = weights_.data() + begin, *const targets = targets_.data() + begin;
       const auto add = [&](std::size_t j, std::size_t k, double w) {
         const double r = own[j] * f[j] - targets[j], d = own[j] * f1[j];
@@ -48,15 +82,8 @@ class PackedToughness final : public Cost {
         add_all([given = weights.data() + begin](std::size_t j) { return given[j]; });
     }
     const auto sum = [](const double* s) { return (s[0] + s[1]) + (s[2] + s[3]); };
-    cost.value = sum(value);
-    cost.gradient.setConstant(1, sum(slope));
-    cost.hessian.setConstant(1, 1, sum(square) + sum(bend));
-    cost.slope_size.setConstant(1, std::sqrt(sum(square)));
-    cost.finite = std::isfinite(cost.value) && std::isfinite(cost.gradient[0]) && std::isfinite(cost.hessian(0, 0));
+    return {sum(value), sum(slope), sum(square), sum(bend)};
   }
-
- private:
-  static constexpr std::size_t kPackedChunk = 512;  // a multiple of four
 
   const ContactModel& model_;
   const PackedMixities& points_;

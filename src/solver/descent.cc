@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "base/threads.h"
 #include "solver/kernel.h"
+#include "solver/linear_algebra.h"
 
 namespace mixity {
 namespace {
@@ -34,18 +36,38 @@ void evaluate(const Problem& problem, const Eigen::VectorXd& x, Linearised& at) 
   }
 }
 
+/// Rows [J r] with the same inner products, with the columns of J multiplied by `unit`: of many rows the triangles of
+/// parts, as a copy of all and their decomposition would be the largest arrays of a fit.
+Eigen::MatrixXd scaled_rows(const Linearised& at, const Vector& unit) {
+  constexpr Eigen::Index kPart = 1 << 15, kMany = 2 * kPart;
+  const Eigen::Index n = at.r.size(), p = at.J.cols();
+  const auto rows = [&](Eigen::Index begin, Eigen::Index count) {
+    Eigen::MatrixXd some(count, p + 1);
+    some.leftCols(p) = at.J.middleRows(begin, count) * unit.asDiagonal();
+    some.col(p) = at.r.segment(begin, count);
+    return some;
+  };
+  if (n < kMany) return rows(0, n);
+  const Eigen::Index parts = (n + kPart - 1) / kPart;
+  Eigen::MatrixXd triangles(parts * (p + 1), p + 1);
+  parallel_for(static_cast<std::size_t>(parts), [&](std::size_t part) {
+    const Eigen::Index k = static_cast<Eigen::Index>(part), begin = k * kPart;
+    triangles.middleRows(k * (p + 1), p + 1) = qr_triangle(rows(begin, std::min(kPart, n - begin)));
+  });
+  return triangles;
+}
+
 /// The part of r along the columns of J that can move: the offset of D. M. Bates & D. G. Watts (Technometrics 23,
 /// 1981). Tested column by column, a point in a narrow valley would seem stationary although it is standard errors off.
 void measure(Linearised& at, const SolverOptions& options) {
   const Eigen::Index p = at.J.cols();
-  Eigen::MatrixXd J(at.J.rows(), p);
   Vector unit(p);
   for (Eigen::Index k = 0; k < p; ++k) {
     const double slope = at.held[static_cast<std::size_t>(k)] ? 0 : at.J.col(k).norm();
     unit[k] = slope > 0 ? 1 / slope : 0;
-    J.col(k) = at.J.col(k) * unit[k];
   }
-  const Projection found = project(std::move(J), at.r, options.independent);
+  const Eigen::MatrixXd rows = scaled_rows(at, unit);
+  const Projection found = project(rows.leftCols(p), rows.col(p), options.independent);
   // Single columns are tested, too: a direction that was left out must not hide a gradient.
   const double r = at.r.norm(), gradient = at.gradient.cwiseProduct(unit).lpNorm<Eigen::Infinity>();
   at.stationarity = r > 0 ? std::max(found.along.norm(), gradient) / r : 0;
