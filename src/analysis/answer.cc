@@ -133,17 +133,16 @@ Answer answer_of(const Analysis& result) {
     const FittedParameter one = readable(fitted);
     answer.result += (answer.result.empty() ? "" : ", ") + parameter_in_text(one.name) + " = " +
                      with_error({one.value, one.stderr_}) + unit_text(one.unit);
+    if (!one.interval || !one.interval->low || !one.interval->high) continue;
+    const double width = *one.interval->high - *one.interval->low;
+    answer.interval +=
+        (answer.interval.empty() ? rounded(100 * one.interval->confidence, 4) + " % interval of " : ", of ") +
+        parameter_in_text(one.name) + " " + resolved(*one.interval->low, width) + " .. " +
+        resolved(*one.interval->high, width) + unit_text(one.unit);
   }
   const FittedParameter* const leading = leading_parameter(fit);
   if (leading && is_unknown(*leading))
     answer.result = parameter_in_text(leading->name) + " is not determined by these data";
-  if (leading && leading->interval && leading->interval->low && leading->interval->high) {
-    const FittedParameter one = readable(*leading);
-    const double width = *one.interval->high - *one.interval->low;
-    answer.interval = rounded(100 * one.interval->confidence, 4) + " % interval of " + parameter_in_text(one.name) +
-                      " " + resolved(*one.interval->low, width) + " .. " + resolved(*one.interval->high, width) +
-                      unit_text(one.unit);
-  }
   if (fit.status != FitStatus::ok)
     answer.doubt = in_words(fit.status) + (fit.message.empty() ? "" : ": " + fit.message.text(result.request.words));
   if (fit.budget && fit.budget->scatter && !fit.budget->parts.empty()) {

@@ -35,6 +35,15 @@ TEST(Answer, NamesNoValueWhereEveryOneFits) {
   EXPECT_TRUE(answer.fit == nullptr || answer.result == "λ is not determined by these data") << answer.result;
 }
 
+TEST(Answer, GivesTheIntervalOfEachParameter) {
+  Analysis result = shipped("mergel2018");
+  FitResult& fit = result.fits[by_merit(result).front()];
+  const std::string alone = answer_of(result).interval;
+  fit.parameters.push_back(fit.parameters[0]);
+  fit.parameters.back().name = "lambda_III";
+  EXPECT_EQ(answer_of(result).interval, alone + ", of λ_III" + alone.substr(alone.find(" 0.")));
+}
+
 TEST(Answer, PutsModelsThatAreFarBehindInTheOrderOfTheirAicc) {
   Analysis result = shipped("mergel2018");
   ASSERT_EQ(result.comparison.size(), 3u);

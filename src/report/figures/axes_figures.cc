@@ -24,11 +24,12 @@ Figure ratio_figure(const ReportedData& reported, const FitResult& fit) {
                 .y = {"a/b", {}, {}},
                 .key_title = units.P(),
                 .caption = "Axes along (a) and across (b) the shear: measured, and of the fitted model."};
-  constexpr std::size_t kMostRuns = 8;
-  for (std::size_t run = 0; run < std::min(by_run.size(), kMostRuns); ++run) {
-    Series points{rounded(data.curve_loads[run] * units.held, 4), Look::circles, color(run)},
-        line{"", Look::solid, color(run)};
-    for (const std::size_t i : shown_points(by_run[run], by_run.size()))
+  const std::vector<std::size_t>& runs = reported.figured.runs;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::size_t run = runs[k];
+    Series points{rounded(data.curve_loads[run] * units.held, 4), Look::circles, color(k)},
+        line{"", Look::solid, color(k)};
+    for (const std::size_t i : shown_points(by_run[run], runs.size()))
       if (!data.axes.empty() && std::isfinite(data.axes[i].q))
         points.points.emplace_back(data.points[i].shear() * units.force, std::exp(data.axes[i].q));
     for (const auto& [T, ratio] : drawn_axes(data, reported.result.request.options, fit, run))

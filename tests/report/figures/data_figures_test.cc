@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
+#include "dataset/load_text.h"
 #include "dataset/temporary_folder.h"
 #include "report/example_results.h"
 
@@ -45,6 +47,43 @@ TEST(DataFigures, OfPsiAndGcHaveNoAreaMapOrLoads) {
   for (const char* what : {"contact area against tangential load", "parameter against normal load", "regime map",
                            "error on loads left out", "displacement and radius curves", "alpha against A0"})
     EXPECT_EQ(reason(figures, what), "the data are (psi, Gc): they have no loads and areas") << what;
+}
+
+TEST(DataFigures, GiveARunOneColourInAll) {
+  FitRequest request;
+  request.models = {"c-ellipse"};
+  const Analysis result =
+      run_for_report(request, load_text("P [mN],T [mN],a_par [mm],a_perp [mm]\n"
+                                        "3,0.019551,0.32036,0.32082\n"
+                                        "3,8.9055,0.32058,0.31902\n"
+                                        "3,17.795,0.31672,0.31738\n"
+                                        "3,26.741,0.31131,0.31243\n"
+                                        "3,35.766,0.29924,0.303\n"
+                                        "3,42.908,0.28829,0.29264\n"
+                                        "6,-0.0098579,0.36305,0.36173\n"
+                                        "6,11.539,0.36174,0.36124\n"
+                                        "6,23.292,0.35653,0.35705\n"
+                                        "6,35.076,0.35137,0.35111\n"
+                                        "6,46.476,0.34311,0.34452\n"
+                                        "6,55.442,0.32781,0.33299\n"
+                                        "12,0.017218,0.41814,0.41716\n"
+                                        "12,15.777,0.42006,0.41933\n"
+                                        "12,31.178,0.413,0.41708\n"
+                                        "12,46.955,0.41117,0.41316\n"
+                                        "12,63.615,0.40138,0.40619\n"
+                                        "12,75.188,0.38727,0.39268\n",
+                                        "radius = \"9.42 mm\"\nmodulus = \"2.133 MPa\"\ntoughness = \"27 mJ/m^2\""));
+  const ReportedData reported = reported_data(result, "e");
+  std::map<std::string, std::string> area, ratio;
+  for (const FigureGroup& group : data_figures(reported).groups)
+    for (const Figure& figure : group.figures) {
+      auto& colors = figure.name == "e_area_c-ellipse" ? area : ratio;
+      if (&colors == &ratio && figure.name != "e_axes_c-ellipse") continue;
+      for (const Series& series : figure.series)
+        if (series.look == Look::circles) colors[series.label] = series.color;
+    }
+  EXPECT_EQ(area.size(), 3u);
+  EXPECT_EQ(area, ratio);
 }
 
 TEST(DataFigures, WithoutAValueShowTheDataOnly) {
