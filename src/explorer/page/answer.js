@@ -5,7 +5,7 @@ export const escape = text => text.replace(/[&<>"]/g, c => ({'&': '&amp;', '<': 
 /// λ for lambda in a sentence. Options that are typed stay: free=lambda.
 const inGreek = text => text.replace(/(^|[^\w=.'-])lambda(?=(_III?)?(?![\w=]|[.']\w))/g, '$1λ');
 /// A text of the engine as HTML, λ with its subscript and T^2 as T².
-export const marked = text => inGreek(escape(text)).replace(/\^2(?!\d)/g, '²').replace(/λ_(III?)\b/g, 'λ<sub>$1</sub>');
+export const marked = text => inGreek(escape(text)).replace(/\^2(?!\d)/g, '²').replace(/λ_(III?)\b/g, 'λ<sub>$1</sub>').replace(/τ0\b/g, 'τ<sub>0</sub>');
 export const list = sentences => sentences.map(one => `<li>${marked(one)}</li>`).join('');
 /// The key of a law without a name is generated and not shown.
 export const named = text => text.replaceAll(/(\bmodel )?\blaw_\d+\b(, law_\d+\b)?/g, 'your own law');
