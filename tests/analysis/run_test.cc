@@ -93,6 +93,22 @@ TEST(Run, WithAreasWithoutShearThatAreTooLargeNamesTheirOwnToughnessWhichEndsOkA
   EXPECT_GT(hardly, 0U);
 }
 
+/// Without errors of T the density ends where a measured T exceeds that of the jump.
+TEST(Run, WithExactShearNearTheJumpHasAnEvidence) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SeededNoise noise(seed, 0.03);
+    Dataset data = measured_runs(1);
+    data.points = synthetic_runs("c", {0.15}, {-1, 0.5, 2, 5, 12, 30}, 25, 0.97, noise).points;
+    FitRequest request;
+    request.models = {"c"};
+    const FitResult fit = run(request, data).fits.at(0);
+    ASSERT_TRUE(fit.evidence) << seed << ' ' << fit.message.text();
+    const FittedParameter& lambda = fit.parameters[0];
+    EXPECT_NEAR(fit.evidence->evidence.mean, *lambda.value, 0.2 * *lambda.stderr_) << seed;
+    EXPECT_NEAR(fit.evidence->evidence.standard_deviation, *lambda.stderr_, 0.1 * *lambda.stderr_) << seed;
+  }
+}
+
 TEST(Run, TakesAStandardErrorOfZeroWithoutAUnit) {
   FitRequest request;
   request.data_path = MIXITY_ROOT "/data/mergel2018.csv";
