@@ -8,7 +8,10 @@
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "dataset/check.h"
+#include "fitting/causes.h"
 #include "fitting/consistency.h"
+#include "fitting/constants.h"
+#include "fitting/fit.h"
 
 namespace mixity {
 namespace {
@@ -20,6 +23,18 @@ const ComparedModel* comparison_of(const Analysis& result, const std::string& mo
   const auto found = std::find_if(result.comparison.begin(), result.comparison.end(),
                                   [&](const ComparedModel& one) { return one.model == model; });
   return found == result.comparison.end() ? nullptr : &*found;
+}
+
+/// Areas without shear that have a toughness of their own, if the fit then is ok and that toughness differs.
+std::optional<Explanation> own_toughness(const Dataset& data, const FitResult& fit, FitOptions options) {
+  constexpr double kClearly = 3;  // standard errors
+  options.free.push_back(kHysteresis);
+  const FitResult own = fit_and_test(data, fit.model, options);
+  const FittedParameter* const found = find_parameter(own.parameters, kConstantNames[kHysteresis]);
+  if (own.status != FitStatus::ok || !found || !found->value || !found->stderr_) return std::nullopt;
+  if (!(std::abs(*found->value) > kClearly * *found->stderr_)) return std::nullopt;
+  return Explanation{
+      found->name, "", hysteresis_text(*found->value), Remedy::set("unsheared", "own"), own.parameters.front(), 0};
 }
 
 }  // namespace
@@ -47,7 +62,7 @@ const ComparedModel* winner(const Analysis& result) {
   return nullptr;
 }
 
-void reject_for_unsheared_areas(Analysis& result) {
+void reject_for_unsheared_areas(Analysis& result, const FitOptions& options) {
   constexpr double kLevel = 3e-4;  // keeps the false alarms of this additional test below one in a hundred
   const FitRequest& request = result.request;
   // With constants that are fitted or differ between runs, the areas need not agree with the stated ones.
@@ -55,14 +70,18 @@ void reject_for_unsheared_areas(Analysis& result) {
                          request.exclusion.unsheared == Unsheared::in;
   if (!result.unsheared || !(result.unsheared->p_value < kLevel) || !as_stated) return;
   if (objective_of(result) != Objective::curve || result.request.options.loss != Loss::none) return;
-  for (FitResult& fit : result.fits)
-    if (fit.status == FitStatus::ok) {
-      fit.status = FitStatus::suspect;
-      fit.message += (fit.message.empty() ? "" : "; ") +
-                     std::string(
-                         "the areas without shear do not agree with JKR and the constants as stated: check modulus, "
-                         "toughness and the zeros of load and area, or state their standard errors");
+  for (FitResult& fit : result.fits) {
+    if (fit.status != FitStatus::ok) continue;
+    fit.status = FitStatus::suspect;
+    const Message contradiction = "the areas without shear do not agree with JKR and the constants as stated: ";
+    if (auto own = own_toughness(result.data, fit, options)) {
+      fit.message = contradiction + own->size + "; " + own->remedy;  // other constants do not explain these areas
+      fit.explanations = {std::move(*own)};
+    } else {
+      fit.message += (fit.message.empty() ? Message() : Message("; ")) + contradiction +
+                     "check modulus, toughness and the zeros of load and area, or state their standard errors";
     }
+  }
 }
 
 void name_misfit_of_units(Analysis& result) {

@@ -21,7 +21,8 @@ const ComparedModel* winner(const Analysis& result);
 
 /// Sets fits of status ok to suspect if the areas without shear contradict JKR with the stated constants: these areas
 /// do not depend on the model. Only for constants that are taken as stated, and objective curve without a loss.
-void reject_for_unsheared_areas(Analysis& result);
+/// `options`: of the fits. Names a toughness of these areas alone if that explains them.
+void reject_for_unsheared_areas(Analysis& result, const FitOptions& options);
 
 /// If most areas do not exceed Hertz's, says so in the messages of fits that are not ok.
 void name_misfit_of_units(Analysis& result);

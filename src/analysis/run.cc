@@ -96,7 +96,7 @@ Analysis run(const FitRequest& asked, Dataset data, const Progress& progress) {
     part(i, [](const FitOptions&) {});  // lets the callback stop the analysis
   });
   if (request.options.checks) result.unsheared = test_unsheared(result.data, with_errors_of_best(result));
-  reject_for_unsheared_areas(result);
+  reject_for_unsheared_areas(result, request.options);
   name_misfit_of_units(result);
   reject_for_better_model(result);
   if (request.per_curve) {

@@ -28,10 +28,13 @@ std::string data_name(const std::string& csv_path) {
 Metadata read_metadata(const std::string& path, Inputs& inputs) {
   Metadata metadata;
   if (!inputs.exists(path)) return metadata;
-  for (const auto& [key, node] : read_toml(path, inputs)) {
+  const toml::table table = read_toml(path, inputs);
+  for (const char* const name : {"data", "runs", "models"})
+    if (const auto found = table.find(name); found != table.end())
+      fail_at(path, found->first,
+              "key \"" + std::string(name) + "\" is one of a fit definition, which needs another name than its data");
+  for (const auto& [key, node] : table) {
     const std::string name(key.str());
-    if (name == "data" || name == "models")
-      fail_at(path, key, "key \"" + name + "\" is one of a fit definition, which needs another name than its data");
     if (kind_of_field(name).empty()) fail_at(path, key, set_field(metadata, name, ""));
     std::string text;
     if (name == "columns" && node.is_table())

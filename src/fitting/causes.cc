@@ -20,6 +20,8 @@ constexpr double kNear = 20;  // the misfit beyond that of another model up to w
 
 bool lie_together(const FitResult& fit) { return fit.consistency && fit.consistency->residuals.together; }
 
+bool has_course(const FitResult& fit) { return fit.consistency && fit.consistency->residuals.course_p < kChance; }
+
 /// Exact constants that the tests suggest to free, and uncertain ones far from their stated values.
 std::vector<Constant> suspected_constants(const FitResult& fit) {
   constexpr double kFar = 3;  // standard errors of a prior
@@ -31,12 +33,18 @@ std::vector<Constant> suspected_constants(const FitResult& fit) {
   for (const BudgetPart& part : fit.budget->parts)
     if (std::abs(part.pull) > kFar) list.emplace_back(-part.pull * part.pull, constant_named(part.constant).value());
   std::stable_sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  const auto add_exact = [&](Constant constant) {
+    if (std::any_of(fit.budget->exact.begin(), fit.budget->exact.end(),
+                    [&](const ExactConstant& one) { return one.constant == kConstantNames[constant]; }))
+      list.emplace_back(0, constant);
+  };
   // A memory as long as the runs hides what differs between them.
-  if (lie_together(fit))
-    for (const Constant drift : {kModulusDrift, kToughnessDrift})
-      if (std::any_of(fit.budget->exact.begin(), fit.budget->exact.end(),
-                      [&](const ExactConstant& one) { return one.constant == kConstantNames[drift]; }))
-        list.emplace_back(0, drift);
+  if (lie_together(fit)) {
+    add_exact(kModulusDrift);
+    add_exact(kToughnessDrift);
+  }
+  // A few areas without shear that are off look like a course, and their score test has few points.
+  if (has_course(fit)) add_exact(kHysteresis);
   std::vector<Constant> constants;
   const auto has = [&](Constant c) { return std::find(constants.begin(), constants.end(), c) != constants.end(); };
   for (const auto& [fall, constant] : list) {
@@ -97,8 +105,7 @@ Message of_constant(const Case& of, Constant constant, const FitResult& fit) {
   if (constant == kShape)
     return change("the contact is no circle: its radius reads ", "the contact is no circle: its radius reads ",
                   value > 0 ? " too large at the largest T" : " too small at the largest T");
-  if (constant == kHysteresis)
-    return change("the toughness without shear is larger by ", "the toughness without shear is smaller by ", "");
+  if (constant == kHysteresis) return hysteresis_text(value);
   std::string text = found.name;
   if (constant == kModulus) text += " (or area_scale, which acts like it)";
   if (constant == kAreaScale) text += " (or modulus, which acts like it)";
@@ -232,6 +239,11 @@ bool is_hopeless(const Dataset& data, const FitResult& fit) {
 
 }  // namespace
 
+std::string hysteresis_text(double value) {
+  return std::string("the toughness without shear is ") + (value > 0 ? "larger by " : "smaller by ") +
+         percent(std::abs(value));
+}
+
 double misfit(double squares, double log_variances, std::size_t points, bool known_errors) {
   const auto n = static_cast<double>(points);
   return (known_errors ? squares : n * std::log(squares / n)) + log_variances;
@@ -270,8 +282,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
     }
   }
   // A course common to all runs is not a difference between them.
-  const bool shared = of.fit.consistency && of.fit.consistency->residuals.course_p < kChance;
-  if (!of.to_beat && !shared && of.fit.rows() == of.fit.used.size())  // by_run knows areas alone
+  if (!of.to_beat && !has_course(of.fit) && of.fit.rows() == of.fit.used.size())  // by_run knows areas alone
     for (const std::string& quantity : differing_quantities(of.fit))
       consider(of, of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
   for (Cause& one : list) one.misfit = misfit(one.fit);

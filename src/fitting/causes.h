@@ -23,6 +23,9 @@ struct Cause {
   std::string value{};  // of a constant, with its unit
 };
 
+/// How much tougher the contact is without shear, as a clause.
+std::string hysteresis_text(double value);
+
 /// -2 ln L of a fit, up to a constant that depends on the points alone.
 double misfit(const FitResult& fit);
 double misfit(double squares, double log_variances, std::size_t points, bool known_errors);

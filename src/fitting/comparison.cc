@@ -45,6 +45,20 @@ std::vector<std::optional<double>> shares(std::vector<std::optional<double>> val
   return values;
 }
 
+/// Whether a model is not far behind all that have an evidence, by AICc.
+bool may_win(const FitResult& fit, const std::vector<FitResult>& fits) {
+  constexpr double kFarBehind = 20;  // in AICc: a weight of 5e-5
+  const auto aicc = [](const FitResult& one) {
+    const auto known = information(one);
+    return known ? known->aicc : std::nullopt;
+  };
+  const auto own = aicc(fit);
+  return own && std::all_of(fits.begin(), fits.end(), [&](const FitResult& one) {
+           const auto others = one.evidence ? aicc(one) : std::nullopt;
+           return !others || *own < *others + kFarBehind;
+         });
+}
+
 }  // namespace
 
 std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& fits) {
@@ -56,7 +70,10 @@ std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& f
   }
   const auto known =
       std::count_if(logarithms.begin(), logarithms.end(), [](const auto& one) { return one.has_value(); });
-  if (known < 2 && fits.size() > 1) return std::vector<std::optional<double>>(fits.size());
+  const bool lacks_a_rival = std::any_of(fits.begin(), fits.end(), [&](const FitResult& one) {
+    return one.rows() == most && !one.evidence && may_win(one, fits);
+  });
+  if ((known < 2 && fits.size() > 1) || lacks_a_rival) return std::vector<std::optional<double>>(fits.size());
   return shares(std::move(logarithms));
 }
 

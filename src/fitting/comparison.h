@@ -42,7 +42,7 @@ struct LeftOut {
 std::optional<LeftOut> leave_one_load_out(const Dataset& data, const FitResult& whole, const FitOptions& options);
 
 /// Model probabilities from the evidence, with equal prior probabilities. Null for fits that have no evidence or fewer
-/// points than others; all are null if only one of several fits has evidence.
+/// points than others; all are null if only one of several fits has evidence, or if one without it may be the best.
 std::vector<std::optional<double>> probabilities(const std::vector<FitResult>& fits);
 
 struct ComparedModel {

@@ -252,9 +252,11 @@ class Posterior {
 
 /// The density's fall, in its logarithm, at which it is negligible: beyond lie 4e-12 of a normal density.
 constexpr double kNothing = 24;
+/// A fall that leaves 8e-6, for a density that is smooth no farther: where points of exact shear leave the curve.
+constexpr double kLittle = 10;
 
-/// The place where the density becomes negligible, or the bound. Null if it becomes infinite before.
-std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak) {
+/// The place where the density has fallen by `fall`, or the bound. Null if it becomes infinite before.
+std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak, double fall) {
   const double direction = bound < density.start() ? -1 : 1;
   density.begin();
   double far = step;
@@ -262,8 +264,8 @@ std::optional<Posterior::Value> reach(LogDensity& density, double bound, double 
     const double beyond = density.start() + direction * far, u = (bound - beyond) * direction <= 0 ? bound : beyond,
                  here = density(u);
     if (!std::isfinite(here)) return std::nullopt;
-    if (peak - here > kNothing || u == bound) return Posterior::Value{u, here};
-    far *= std::clamp(1.05 * std::sqrt(kNothing / std::max(peak - here, 0.0)), 1.05, 1.5);  // a parabola's way
+    if (peak - here > fall || u == bound) return Posterior::Value{u, here};
+    far *= std::clamp(1.05 * std::sqrt(fall / std::max(peak - here, 0.0)), 1.05, 1.5);  // a parabola's way
   }
   return std::nullopt;
 }
@@ -279,18 +281,26 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
   density.begin();
   const double peak = density(density.start());
   if (!std::isfinite(peak)) return std::nullopt;
-  const double far_off = 1.02 * density.distance_of(kNothing);  // standard errors; a little beyond, for curvature
   const double range = density.upper() - density.lower();
   const double width = standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
-  double step = far_off * width;
-  if (!(step > 0 && step < range)) step = standard_error ? range : 1e-6 * range;
   const Posterior::Value at_peak{density.start(), peak};
-  const auto low = density.lower() == at_peak.u ? std::optional(at_peak) : reach(density, density.lower(), step, peak),
-             high = density.upper() == at_peak.u ? std::optional(at_peak) : reach(density, density.upper(), step, peak);
-  Posterior posterior(density, peak);
-  if (!low || !high || !(low->u < high->u) ||
-      !posterior.sample(density, *low, *high, width > 0 ? std::optional(width) : std::nullopt))
-    return std::nullopt;
+  std::optional<Posterior> found;
+  for (const double fall : {kNothing, kLittle}) {
+    const double far_off = 1.02 * density.distance_of(fall);  // standard errors; a little beyond, for curvature
+    double step = far_off * width;
+    if (!(step > 0 && step < range)) step = standard_error ? range : 1e-6 * range;
+    const auto end = [&](double bound) {
+      return bound == at_peak.u ? std::optional(at_peak) : reach(density, bound, step, peak, fall);
+    };
+    const auto low = end(density.lower()), high = end(density.upper());
+    found.emplace(density, peak);
+    if (low && high && low->u < high->u &&
+        found->sample(density, *low, *high, width > 0 ? std::optional(width) : std::nullopt))
+      break;
+    found.reset();
+  }
+  if (!found) return std::nullopt;
+  const Posterior& posterior = *found;
   const Moments all = posterior.all();
   const double mean = all[1] / all[0];
   const auto quantile = [&](double share) { return density.outer(posterior.quantile(share * all[0])); };

@@ -9,6 +9,7 @@
 #include "analysis/request.h"
 #include "analysis/settings.h"
 #include "dataset/temporary_folder.h"
+#include "fitting/measured_runs.h"
 
 namespace mixity {
 namespace run_test {
@@ -67,6 +68,45 @@ TEST(Run, OfAreasBelowHertzSaysThatAUnitIsOff) {
   }
   for (const FitResult& fit : run(request_in(folder)).fits)
     EXPECT_EQ(fit.message.text().find("Hertz"), std::string::npos);
+}
+
+/// Such areas hardly change lambda, so that the score tests alone let the fit pass.
+TEST(Run, WithAreasWithoutShearThatAreTooLargeNamesTheirOwnToughnessWhichEndsOkAndRight) {
+  std::size_t hardly = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    FitRequest request;
+    request.models = {"c"};
+    Dataset data = measured_runs(seed);
+    for (Point& point : data.points)
+      if (point.T == 0) point.A *= 1.04;
+    const FitResult fit = run(request, data).fits.at(0);
+    EXPECT_EQ(fit.status, FitStatus::suspect) << seed;
+    ASSERT_FALSE(fit.explanations.empty()) << seed << ' ' << fit.message.text();
+    EXPECT_EQ(fit.explanations[0].cause, "hysteresis") << seed;
+    EXPECT_NE(fit.message.text().find("larger by"), std::string::npos) << fit.message.text();
+    hardly += fit.message.text().starts_with("the areas without shear do not agree");
+    request.exclusion.unsheared = Unsheared::own;
+    const FitResult own = run(request, data).fits.at(0);
+    EXPECT_EQ(own.status, FitStatus::ok) << seed << own.message.text();
+    EXPECT_NEAR(*own.parameters[0].value, 0.15, 4 * *own.parameters[0].stderr_) << seed;
+  }
+  EXPECT_GT(hardly, 0U);
+}
+
+/// Without errors of T the density ends where a measured T exceeds that of the jump.
+TEST(Run, WithExactShearNearTheJumpHasAnEvidence) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SeededNoise noise(seed, 0.03);
+    Dataset data = measured_runs(1);
+    data.points = synthetic_runs("c", {0.15}, {-1, 0.5, 2, 5, 12, 30}, 25, 0.97, noise).points;
+    FitRequest request;
+    request.models = {"c"};
+    const FitResult fit = run(request, data).fits.at(0);
+    ASSERT_TRUE(fit.evidence) << seed << ' ' << fit.message.text();
+    const FittedParameter& lambda = fit.parameters[0];
+    EXPECT_NEAR(fit.evidence->evidence.mean, *lambda.value, 0.2 * *lambda.stderr_) << seed;
+    EXPECT_NEAR(fit.evidence->evidence.standard_deviation, *lambda.stderr_, 0.1 * *lambda.stderr_) << seed;
+  }
 }
 
 TEST(Run, TakesAStandardErrorOfZeroWithoutAUnit) {

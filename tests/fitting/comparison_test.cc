@@ -166,6 +166,20 @@ TEST(CompareModels, GivesEachAProbabilityByItsEvidence) {
   EXPECT_FALSE(compare_models(data, fits, curve_options())[0].probability);
 }
 
+TEST(Probabilities, AreNoneWhereAModelWithoutEvidenceMayBeTheBest) {
+  const auto with_evidence = [](double squares, double log_evidence) {
+    FitResult fit = finished(50, 1, squares, true);
+    fit.evidence.emplace();
+    fit.evidence->evidence.log_evidence = log_evidence;
+    return fit;
+  };
+  const FitResult a = with_evidence(120, -60), b = with_evidence(90, -45);
+  for (const auto& one : probabilities({a, b, finished(50, 1, 50, true)})) EXPECT_FALSE(one);
+  const auto beside_a_worse = probabilities({a, b, finished(50, 1, 150, true)});
+  EXPECT_NEAR(beside_a_worse[0].value(), 1 / (1 + std::exp(15)), 1e-12);
+  EXPECT_FALSE(beside_a_worse[2]);
+}
+
 TEST(Preferences, AgreeOnlyWhereEachCriterionNamesTheSameModel) {
   ComparedModel b{"b", 10.0, {}, 0.9, LeftOut{2, 0, {}}}, c{"c", 12.0, {}, 0.1, LeftOut{3, 0, {}}};
   EXPECT_TRUE(preferences({b, c}).agree());
