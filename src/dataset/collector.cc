@@ -102,6 +102,10 @@ void Collector::row(const CsvRow& row, const std::optional<std::string_view>& ru
     line_of_largest_ = row.line();
     along_ = read.axes.q > 0;
   }
+  if (std::abs(read.beside_axes) > std::abs(beside_axes_)) {
+    beside_axes_ = read.beside_axes;
+    line_beside_axes_ = row.line();
+  }
   largest_turn_ = std::max(largest_turn_, std::abs(read.turn));
   direction_ += read.direction;
   weight_ += std::abs(read.direction);
@@ -250,7 +254,10 @@ void Collector::finish() {
   }
   take_mean_loads(data_);
   finish_shear(data_);
-  if (has_axes_) add_note_on_axes();
+  if (has_axes_) {
+    add_note_on_axes();
+    add_note_on_areas();
+  }
 }
 
 bool Collector::has_times() const {
@@ -300,6 +307,16 @@ void Collector::add_note_on_axes() {
     }
   }
   data_.notes.push_back(note);
+}
+
+/// Two measurements of one contact scatter by some percent. More is a unit, a diameter or an outline of another kind.
+void Collector::add_note_on_areas() {
+  constexpr double kScatter = 0.05;
+  if (std::abs(beside_axes_) <= kScatter) return;
+  const bool larger = beside_axes_ > 0;
+  data_.notes.push_back("the area A is up to " + rounded(100 * std::abs(beside_axes_), 2) + "% " +
+                        (larger ? "larger" : "smaller") + " than pi a b of the axes (line " +
+                        std::to_string(line_beside_axes_) + "); A is used, and of the axes only their ratio");
 }
 
 }  // namespace mixity

@@ -61,6 +61,7 @@ class Collector {
   void take_tables_as_runs();
   void finish_angles();
   void add_note_on_axes();
+  void add_note_on_areas();
 
   void begin_run_at(const std::string& title, double load);
 
@@ -86,6 +87,8 @@ class Collector {
   std::complex<double> direction_;   // sum of those of the axes; of their sizes: weight_
   double weight_ = 0, squares_ = 0;  // and of their squares
   double largest_turn_ = 0;          // of the angles of the axes, in rad
+  double beside_axes_ = 0;           // the largest of ReadPoint::beside_axes, and its line
+  std::size_t line_beside_axes_ = 0;
 };
 
 }  // namespace mixity

@@ -119,7 +119,14 @@ std::string_view PointReader::read_loads(Numbers& number, ReadPoint& read) const
     if (const std::string_view why = read_axes(*lengths, number, area, in_A, read); !why.empty()) return why;
     if (columns_.has(ColumnId::A)) in_A = kNotStated;
   }
-  if (columns_.has(ColumnId::A)) area = number.with_error(ColumnId::A, ColumnId::sigma_A, in_A);
+  if (columns_.has(ColumnId::A)) {
+    const double of_axes = area;
+    area = number.with_error(ColumnId::A, ColumnId::sigma_A, in_A);
+    // beside an area the axes may have any unit, such as pixels
+    const bool alike = of_axes > 0 && (columns_.find(lengths->one)->unit.dimension == dimension::none) ==
+                                          (columns_.find(ColumnId::A)->unit.dimension == dimension::none);
+    if (alike) read.beside_axes = area / of_axes - 1;
+  }
   const bool by_radius = lengths && lengths->round() && !columns_.has(ColumnId::A);
   const double radius = by_radius ? number(lengths->one) / std::sqrt(lengths->parts) : 0;
   if (by_radius && radius <= 0) return lengths->one == ColumnId::a ? "a <= 0" : "diameter <= 0";

@@ -45,6 +45,7 @@ struct ReadPoint {
   PointAxes axes, load;            // load: measured beside a held approach
   std::complex<double> direction;  // of the axes: ln(longer/shorter)^2 e^(4i angle)
   double turn = 0;                 // that angle in rad, as it was read
+  double beside_axes = 0;          // A/(pi a b) - 1, where both were read in units that can be compared
   PullOffReading pull_off;
   bool states_errors = false;   // the fields of its values contain standard errors
   bool negative_angle = false;  // psi is read without its sign

@@ -1,6 +1,7 @@
 #include "fitting/causes.h"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include "base/number_text.h"
@@ -147,6 +148,40 @@ Cause by_run(const Case& of, const std::string& quantity, const Points& points) 
           0};
 }
 
+constexpr std::string_view kStiffness = "normal_stiffness";
+
+/// Another stiffness of the machine that holds an approach. It is exact in a fit, so that it is searched beside.
+Cause with_stiffness(const Case& of, const Points& points) {
+  const double kLeast = std::log(1e-3), kMost = std::log(30.0);  // compliances; those of contacts are 0.1 to 1
+  constexpr int kSteps = 12, kBits = 12;
+  Dataset data = of.data;
+  FitOptions bare = of.options;
+  bare.fitted_errors = false;  // those of the wrong stiffness would decide which is the best
+  const auto fit_at = [&](double log_compliance, const FitOptions& with) {
+    data.compliance = std::exp(log_compliance);
+    return of.refit(data, with, points, nullptr);
+  };
+  const auto misfit_at = [&](double log_compliance) {
+    const FitResult fit = fit_at(log_compliance, bare);
+    return is_found(fit) ? misfit(fit) : HUGE_VAL;
+  };
+  const double step = (kMost - kLeast) / kSteps;
+  double best = kLeast, least = HUGE_VAL;
+  for (int k = 0; k <= kSteps; ++k)
+    if (const double one = misfit_at(kLeast + k * step); one < least) {
+      least = one;
+      best = kLeast + k * step;
+    }
+  if (std::isfinite(least))
+    best = boost::math::tools::brent_find_minima(misfit_at, best - step, best + step, kBits).first;
+  Cause cause{
+      Cause::Kind::constant, std::string(kStiffness), {}, {}, "measure it", points, fit_at(best, of.options), 0};
+  const double unit = data.contact ? data.contact->stiffness_unit() : 1;
+  cause.value = rounded(unit / data.compliance, 3) + (data.contact ? " N/m" : "");
+  cause.size = std::string(kStiffness) + " looks wrong: at " + cause.value;
+  return cause;
+}
+
 /// The run that causes nearly all of the differences alone; null if there is none.
 std::optional<std::size_t> odd_run(const RunDifferences& runs, std::size_t quantity) {
   constexpr double kNearlyAll = 0.8;  // of the sum of squares about the median
@@ -170,6 +205,7 @@ std::optional<std::size_t> odd_run(const RunDifferences& runs, std::size_t quant
 }
 
 void describe(const Case& of, Cause& cause) {
+  if (cause.name == kStiffness) return;
   if (cause.kind == Cause::Kind::constant) {
     const Constant constant = constant_named(cause.name).value();
     cause.size = of_constant(of, constant, cause.fit);
@@ -200,6 +236,7 @@ void describe(const Case& of, Cause& cause) {
 
 double implausibility(const Case& of, const Cause& cause) {
   const FittedParameter& first = cause.fit.parameters.front();
+  if (cause.name == kStiffness) return 0;  // it may have been left out
   if (cause.kind == Cause::Kind::runs)
     return implausibility(of.data, cause.name, cause.fit.errors->runs.spreads.back(), first.value.value_or(0));
   const Constant constant = constant_named(cause.name).value();
@@ -281,6 +318,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
       consider(of, of, cause);  // with known errors it is given up as soon as that shows
     }
   }
+  if (of.data.holds_approach() && !of.to_beat) consider(of, of, with_stiffness);
   // A course common to all runs is not a difference between them.
   if (!of.to_beat && !has_course(of.fit) && of.fit.rows() == of.fit.used.size())  // by_run knows areas alone
     for (const std::string& quantity : differing_quantities(of.fit))

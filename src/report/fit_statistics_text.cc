@@ -133,7 +133,7 @@ std::string errors_text(const FitResult& fit, const Dataset& data, Wording words
   std::ostringstream out;
   if (!fit.errors && fit.sigma_factor)
     out << "    errors: from the file, " << factor_text(*fit.sigma_factor) << '\n';
-  else if (!fit.errors && !fit.known_errors && !data.errors.empty())
+  else if (!fit.errors && !fit.known_errors && !data.errors.empty() && fit.objective == Objective::toughness)
     out << "    errors: every point has the same weight; " << words(Remedy::set("weighted", "true"))
         << (data.has_loads ? " or " + words(Remedy::set("objective", "curve")) : "")
         << " uses the file's standard errors\n";

@@ -141,6 +141,8 @@ TEST(RunsCommand, SaysInOneLineWhatItCannotUse) {
             "column it is: --columns=\"time=HEADING (s)\"");
   EXPECT_EQ(complaint({"runs", still}),
             "mixity: still.csv: holds no loading run: no contact under one load in which T rises");
+  EXPECT_NE(run_program({"runs", still}).out.find("4: the load changes, or is held for fewer than 10 frames or 0.2 s"),
+            std::string::npos);
   EXPECT_EQ(complaint({"runs", kLog, "--cuts=" + cuts}),
             "mixity: cuts.toml: states cuts of a run 'P=99 mN', which the log does not have (it has "
             "P=7.73 mN, P=2.92 mN, P=0.942 mN)");

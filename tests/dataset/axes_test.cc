@@ -120,6 +120,21 @@ TEST(Axes, AreNotMadeOfARadiusAndANumber) {
   EXPECT_TRUE(read("P [mN],T [mN],a [mm],b\n4,2,0.27,0.3\n").axes.empty());
 }
 
+TEST(Axes, WhoseAreaIsNotThatOfTheColumnSaySo) {
+  const std::string header = "P [mN],T [mN],A [mm^2],a_par [mm],a_perp [mm]\n4,0,0.2545,0.27,0.3\n";
+  EXPECT_EQ(texts_of(read(header + "4,2,0.28,0.27,0.3\n4,3,0.27,0.27,0.3\n").notes).back(),
+            "the area A is up to 10% larger than pi a b of the axes (line 3); A is used, and of the axes only their "
+            "ratio");
+  EXPECT_NE(texts_of(read("P [mN],T [mN],A [mm^2],a [um],b [mm]\n4,0,0.2545,540,0.6\n").notes)
+                .back()
+                .find("the area A is up to 75% smaller than pi a b of the axes (line 2)"),
+            std::string::npos);
+  // two measurements of one contact scatter; axes in pixels have no area
+  for (const std::string& table : {header + "4,2,0.26,0.27,0.3\n",
+                                   std::string("P [mN],T [mN],Area [mm^2],Major,Minor,Angle\n4,2,0.28,600,540,90\n")})
+    EXPECT_EQ(texts_of(read(table).notes).back().find("pi a b"), std::string::npos) << table;
+}
+
 TEST(Axes, OfTablesWithoutAreNotThere) { EXPECT_TRUE(read("P [mN],T [mN],A [mm^2]\n4,2,0.27\n").axes.empty()); }
 
 }  // namespace axes_test

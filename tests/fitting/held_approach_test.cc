@@ -136,6 +136,21 @@ TEST(FitOfHeldApproach, NamesAWrongZero) {
 }
 
 /// All parameters and constants, of distances in T, A and P, and of the toughness.
+/// Readings without P allow another modulus, too; those of P tell that it is the stiffness.
+TEST(FitOfHeldApproach, NamesAWrongStiffness) {
+  for (const double stiffness : {800.0, 1800.0})  // 1200 N/m is stated
+    for (const double of_P : {0.0, 5e-5}) {
+      const FitResult fit = fit_model(data_of({.stiffness = stiffness, .of_P = of_P}), "c", {});
+      EXPECT_EQ(fit.status, FitStatus::suspect) << stiffness;
+      const auto named = std::find_if(fit.explanations.begin(), fit.explanations.end(),
+                                      [](const Explanation& one) { return one.cause == "normal_stiffness"; });
+      ASSERT_NE(named, fit.explanations.end()) << fit.message.text();
+      EXPECT_NEAR(*named->first.value / kLambda, 1, 0.05) << fit.message.text();
+      EXPECT_NE(fit.message.text().find("normal_stiffness looks wrong: at "), std::string::npos);
+    }
+  EXPECT_EQ(fit_model(data_of({.stiffness = 1200}), "c", {}).status, FitStatus::ok);
+}
+
 TEST(FitOfHeldApproach, HasTheJacobianOfItsDifferences) {
   for (const char* key : {"a", "b", "c"})
     for (const double compliance : {0.0, 0.2})

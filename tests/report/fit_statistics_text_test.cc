@@ -169,6 +169,17 @@ TEST(FitStatisticsText, SaysWhenTheScatterIsLargerThanTheErrors) {
   EXPECT_EQ(errors_text(fit, {}, in_neutral_words).find("chi^2"), std::string::npos);
 }
 
+/// A distance from the curve always uses the errors of the file, also where there are too few points for a fit.
+TEST(FitStatisticsText, RecommendsWeightsOnlyWhereAFitHasNone) {
+  FitResult fit = example(FitStatus::not_identifiable).fits[0];
+  Dataset data = example(FitStatus::ok).data;
+  data.errors.resize(data.points.size());
+  fit.objective = Objective::toughness;
+  EXPECT_NE(errors_text(fit, data, in_neutral_words).find("weighted"), std::string::npos);
+  fit.objective = Objective::curve;
+  EXPECT_EQ(errors_text(fit, data, in_neutral_words), "");
+}
+
 TEST(FitStatisticsText, NamesTheFarthestOutliersFirst) {
   Analysis result = example();
   FitResult& fit = result.fits[0];

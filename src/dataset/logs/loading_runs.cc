@@ -32,6 +32,8 @@ Shear shear_of(const std::vector<double>& T, FrameRange step, std::vector<double
   return shear;
 }
 
+constexpr std::string_view kNotHeld = "the load changes, or is held for fewer than 10 frames or 0.2 s";
+
 class Finder {
  public:
   Finder(Frames frames, const std::string& unit, double factor, const RunOptions& options)
@@ -58,11 +60,11 @@ class Finder {
       add(reached, contact.begin, "out of contact", "no contact");
       reached = contact.begin;
       for (const FrameRange& step : load_steps(frames, contact, noise_P, range)) {
-        add(reached, step.begin, "approach", "the load changes");
+        add(reached, step.begin, "approach", kNotHeld);
         find_run(step);
         reached = step.end;
       }
-      add(reached, contact.end, "approach", "the load changes");
+      add(reached, contact.end, "approach", kNotHeld);
       reached = contact.end;
     }
     add(reached, frames.time.size(), "out of contact", "no contact");

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/input_error.h"
+#include "base/number_text.h"
 #include "base/text.h"
 #include "dataset/logs/log_clock.h"
 #include "dataset/table/channel_clocks.h"
@@ -111,6 +112,7 @@ class LogReader : public UseOfRows {
     log.T = values(T);
     log.A = has(A) ? values(A) : areas();
     log.q = axes();
+    if (has(A) && !log.q.empty()) log.reading += area_beside(log.A, areas());
     log.load_is_stated = has(T) && !has(P);
     log.P = has(P) || !has(T) ? values(P) : std::vector<double>(log.time.size(), metadata_.load.value_or(0));
     return log;
@@ -222,6 +224,17 @@ class LogReader : public UseOfRows {
       throw InputError(recording_.path, "states one axis of an ellipse without the other");
     for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = std::numbers::pi * areas[i] * other[i] / from->parts;
     return areas;
+  }
+
+  /// By how much a column of areas differs from that of the axes beside it, if by more than both scatter.
+  static std::string area_beside(const std::vector<double>& area, const std::vector<double>& of_axes) {
+    constexpr double kScatter = 0.05;
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < area.size(); ++i)
+      if (area[i] > 0 && of_axes[i] > 0) shares.push_back(area[i] / of_axes[i]);
+    const double share = shares.empty() ? 1 : median(std::move(shares));
+    if (std::abs(share - 1) <= kScatter) return {};
+    return "; A is " + rounded(share, 3) + " times pi a b of the axes (median), and is used";
   }
 
   /// ln(a/b) of elliptic contacts along and across the shear; empty without both axes.

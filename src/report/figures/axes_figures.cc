@@ -40,6 +40,17 @@ Figure ratio_figure(const ReportedData& reported, const FitResult& fit) {
   return figure;
 }
 
+/// Whether the couplings are equal, by their standard errors and correlation.
+std::string difference_text(const FittedParameter& II, const FittedParameter& III, double rho) {
+  const double difference = *II.value - *III.value,
+               error = std::sqrt(std::max(
+                   *II.stderr_ * *II.stderr_ + *III.stderr_ * *III.stderr_ - 2 * rho * *II.stderr_ * *III.stderr_,
+                   0.0));
+  const RoundedToError shown = rounded_to_error(difference, error);
+  return " lambda_II - lambda_III is " + shown.value + " +/- " + shown.error +
+         (std::abs(difference) > normal_quantile(0.975) * error ? ": the couplings differ." : ": they may be equal.");
+}
+
 /// The 95 % region of both couplings by their standard errors and correlation, and the line of circles.
 std::optional<Figure> region_figure(const ReportedData& reported, const FitResult& fit) {
   constexpr int kSteps = 120;
@@ -75,7 +86,7 @@ std::optional<Figure> region_figure(const ReportedData& reported, const FitResul
                 .caption =
                     "The region by standard errors and correlation. Contacts are circles where lambda_III is (1 - "
                     "nu) lambda_II" +
-                    std::string(first < last ? "." : ", outside this frame.")};
+                    std::string(first < last ? "." : ", outside this frame.") + difference_text(II, III, rho)};
 }
 
 }  // namespace

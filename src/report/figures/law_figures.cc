@@ -79,7 +79,7 @@ std::vector<Figure> peak_figures(const ReportedData& reported) {
                 .title = "Mean shear stress over the area of Hertz against normal load",
                 .x = {bare ? "P/(R G_{Ic})" : "P [" + forces.force_unit + "]", 0.0, {}},
                 .y = {bare ? "T/A_{Hertz} ξ/E^*" : "T/A_{Hertz}  [" + forces.stress_unit + "]", 0.0, {}},
-                .caption = "A stress that does not depend on the load is a strength."};
+                .caption = "If this stress does not depend on the load, it is the shear strength of the interface."};
   for (const Series* series : {&peak, &minimum}) {
     if (series->points.size() < 2) continue;
     const auto [low, high] = std::minmax_element(series->points.begin(), series->points.end(),

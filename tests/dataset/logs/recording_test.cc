@@ -48,6 +48,16 @@ TEST(Recordings, KeepTheAxesOfEllipticContacts) {
   EXPECT_TRUE(std::isnan(last("A [mm^2]", "0.157")));
 }
 
+TEST(Recordings, WhoseAreaIsNotThatOfItsAxesSaySo) {
+  const auto reading = [](const std::string& area) {
+    std::string text = "time [s],P [mN],T [mN],A [mm^2],a_par [mm],a_perp [mm]\n0,0,0,0,0,0\n";
+    for (const char* time : {"1", "2", "3"}) text += std::string(time) + ",1,2," + area + ",0.2,0.25\n";
+    return read(text).reading;
+  };
+  EXPECT_NE(reading("0.1728").find("; A is 1.1 times pi a b of the axes (median), and is used"), std::string::npos);
+  EXPECT_EQ(reading("0.16").find("pi a b"), std::string::npos);
+}
+
 TEST(Recordings, MayHaveTimesWithAUnitInEachField) {
   EXPECT_EQ(read("Time,P [mN],T [mN],A [mm^2]\n0 sec,1,2,0.3\n0.5 sec,1,2,0.3\n1.25 sec,1,2,0.3\n").time,
             (std::vector<double>{0, 0.5, 1.25}));

@@ -37,6 +37,20 @@ TEST(ProfileFigures, CrossTheLevelAtTheEndsOfTheInterval) {
   }
 }
 
+TEST(AxesFigures, SayWhetherTheCouplingsAreEqual) {
+  Analysis result = example(FitStatus::ok);
+  const ReportedData reported{.result = result, .stem = "m"};
+  FitResult& fit = result.fits[0];
+  fit.model = "c-ellipse";
+  fit.parameters = {
+      {"lambda_II", 0.05, 0.003, 0, 1}, {"lambda_III", 0.04, 0.004, 0, 1}, {"poisson_ratio", 0.5, {}, 0, 0.5}};
+  fit.correlations = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const auto caption = [&] { return figure_named(axes_figures(reported), "m_couplings_c-ellipse").caption; };
+  EXPECT_NE(caption().find(" lambda_II - lambda_III is 0.010 +/- 0.005: the couplings differ."), std::string::npos);
+  fit.correlations[1] = fit.correlations[3] = -0.5;  // an error of 0.0061
+  EXPECT_NE(caption().find(" is 0.010 +/- 0.006: they may be equal."), std::string::npos) << caption();
+}
+
 TEST(RunFigures, ShowTheValueAndIntervalOfEachRun) {
   const ReportedData reported = reported_data(shipped("mergel2018"), "m");
   const std::vector<Figure> drawn = run_figures(reported);
