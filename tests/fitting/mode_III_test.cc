@@ -7,6 +7,7 @@
 
 #include "averaged_mode_III.h"
 #include "dataset/arrays.h"
+#include "dataset/temporary_folder.h"
 #include "fitting/curve_objective.h"
 #include "fitting/fit.h"
 #include "fitting/predicted_curves.h"
@@ -53,6 +54,13 @@ TEST(ModeIII, AveragedFindsTheParameterOfTheAveragedCriterion) {
     for (const Objective objective : {Objective::curve, Objective::toughness})
       EXPECT_NEAR(lambda_of(fit(runs(model, lambda, 1.5, kAveraged), model, {.objective = objective})), lambda, kExact)
           << model;
+}
+
+TEST(ModeIII, AveragedIsRefusedForEllipsesWhoseModesActApart) {
+  const Dataset data = runs("c", 0.2, 1.5, kAveraged);
+  const std::string message = input_error([&] { fit(data, "c-ellipse"); });
+  EXPECT_NE(message.find("an ellipse has each where it acts: fit it with --mode_III=half"), std::string::npos)
+      << message;
 }
 
 TEST(ModeIII, HalfFindsAParameterOfModelCThatIsOneAndAHalfTimesTheAveragedOne) {
