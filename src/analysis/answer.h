@@ -18,11 +18,11 @@ struct PredictedJump {
 };
 
 struct Answer {
-  const FitResult* fit = nullptr;                      // the best one (by_merit); null if none has a value
-  std::string result;                                  // "λ = 0.002306 ± 0.000011"
-  std::string model;                                   // "model c, Papangelo-Ciavarella 2019: f = ..."
-  std::string interval;                                // "95 % interval of λ 0.002285 .. 0.002328", then of others; empty without one
-  std::string doubt;                                   // what is wrong, and a remedy; empty for status ok
+  const FitResult* fit = nullptr;  // the best one (by_merit); null if none has a value
+  std::string result;              // "λ = 0.002306 ± 0.000011"
+  std::string model;               // "model c, Papangelo-Ciavarella 2019: f = ..."
+  std::string interval;            // "95 % interval of λ 0.002285 .. 0.002328, of ..."; may be empty
+  std::string doubt;               // what is wrong, and a remedy; empty for status ok
   std::vector<std::pair<std::string, double>> budget;  // shares of its variance; empty if there is only one part
   std::vector<PredictedJump> jumps;                    // in order of falling load; only loads with a jump
   std::vector<std::string> cannot_say;                 // limitations of the result: sentences

@@ -28,8 +28,6 @@ std::vector<Control> controls(const std::optional<Contact>& contact) {
 
 InstabilityReport of_flags(const ContactModel& of_loads) {
   const bool approach = is_set("approach");
-  if (approach && of_loads.is_elliptic())
-    throw UsageError("--approach and --shape=ellipse: a held approach is known for circles alone");
   const ParameterValues p = parameters_from_flags(of_loads);
   const OutputUnits shown = output_units(of_loads.is_elliptic());
   Load load{};

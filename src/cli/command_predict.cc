@@ -86,8 +86,6 @@ void predict_ellipse(const ContactModel& model) {
   const double nu = number_from("poisson_ratio", 0, 0.5);
   const EndParameterValues ends = end_parameters_from_flags(model);
   const EndParameters p{ends.mode_II, ends.mode_III, nu};
-  if (is_set("approach"))
-    throw UsageError("--approach and --shape=ellipse: a held approach is known for circles alone");
   const OutputUnits units = output_units(true);
   const Load load = load_from(flag_of_loads("load"), units);
   const Shears shears_given(units);

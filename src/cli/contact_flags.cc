@@ -26,6 +26,8 @@ void print_numbers(std::initializer_list<double> numbers) {
 bool is_elliptic() { return means_ellipse(value_of("shape")); }
 
 OutputUnits output_units(bool of_ellipse) {
+  if (of_ellipse && is_set("approach"))
+    throw UsageError("--approach and --shape=ellipse: a held approach is known for circles alone");
   // Mode III at the edge of an ellipse depends on Poisson's ratio, whatever states the modulus.
   std::vector<std::string_view> others{"normal_stiffness"};  // may be dimensionless here
   if (of_ellipse) others = {"normal_stiffness", "shape", is_set("youngs_modulus") ? "" : "poisson_ratio"};

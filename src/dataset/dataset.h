@@ -87,6 +87,10 @@ inline constexpr std::string_view kOutOfRangeRatio = "the toughness ratio is out
 /// The note on a load that is stated although the file has a column of loads.
 inline constexpr const char* kLoadNotUsed = "the load that is stated is not used: the file has a column of loads";
 
+/// The reason against mode_III = "averaged" with elliptic contacts.
+inline constexpr const char* kNoAverage =
+    "an average of modes II and III is that of a circle's edge, an ellipse has each where it acts";
+
 /// The reason against offsets: a fixed force or area differs between runs that are scaled to another sphere.
 inline constexpr const char* kNoOffsets =
     "its runs are on several spheres: offsets of load, shear and area can be neither stated nor fitted";

@@ -120,19 +120,16 @@ Deciding deciding_deviations(const Dataset& data, const PointIndices& used, cons
   };
   std::vector<std::vector<Found>> runs(data.curves.size());
   std::vector<std::size_t> passed(data.curves.size());
-  const auto take = [&](std::size_t row, std::size_t place) {
-    if (auto& run = runs[data.points[used[row]].curve]; run.size() < kDeciding) run.push_back({row, place});
-  };
   std::vector<std::uint32_t> places;  // of all points, where some are not used
-  places.reserve(used.are_first() ? 0 : data.points.size());
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
-    const std::size_t place = passed[data.points[i].curve]++;
-    if (!used.are_first())
-      places.push_back(static_cast<std::uint32_t>(place));
-    else if (i < used.size())
-      take(i, place);
+  if (!used.are_first()) {
+    places.reserve(data.points.size());
+    for (const Point& point : data.points) places.push_back(static_cast<std::uint32_t>(passed[point.curve]++));
   }
-  for (std::size_t row = 0; row < used.size() && !used.are_first(); ++row) take(row, places[used[row]]);
+  for (std::size_t row = 0; row < used.size(); ++row) {
+    const std::size_t curve = data.points[used[row]].curve,
+                      place = places.empty() ? passed[curve]++ : places[used[row]];
+    if (runs[curve].size() < kDeciding) runs[curve].push_back({row, place});
+  }
   Deciding some{{{}, {}, {}, {}, std::vector<std::vector<double>>(own.size())}};
   for (const auto& run : runs) {
     auto& list = some.processes.runs.emplace_back();

@@ -102,6 +102,7 @@ bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const d
   const PointsByRun runs(data, used);
   std::vector<LineOfRun> of_runs(runs.runs());
   runs.for_each_run([&](std::size_t g) {
+    if (static_cast<double>(runs.size(g)) < kEnough) return;
     AreasOfRun run;
     for (std::size_t k = 0; k < runs.size(g); ++k) {
       const std::size_t point = used[runs.at(g, k)];
@@ -110,7 +111,7 @@ bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const d
     of_runs[g] = run.fit_line();
   });
   for (const LineOfRun& run : of_runs) {
-    if (run.points < kEnough || !(run.xx > 0)) continue;
+    if (!(run.xx > 0)) continue;
     ++lines;
     freedom += run.points - 2;
     slopes += run.xy;

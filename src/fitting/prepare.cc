@@ -36,9 +36,7 @@ void require_what_is_asked(const Dataset& data, const ContactModel& model, const
   if (model.is_elliptic() && objective != Objective::curve)
     refuse("elliptic contacts have no single phase angle: fit them with " + Remedy::set("objective", "curve"));
   if (model.is_elliptic() && data.metadata.mode_III == ModeIII::averaged)
-    refuse(
-        "an average of modes II and III is that of a circle's edge, an ellipse has each where it acts: fit it with " +
-        Remedy::set("mode_III", "half"));
+    refuse(std::string(kNoAverage) + ": fit it with " + Remedy::set("mode_III", "half"));
   if (data.holds_approach()) {
     if (model.is_elliptic()) refuse("a held approach is known for circles alone: leave out shape = ellipse");
     if (scale_of(options) == Scale::linear && objective == Objective::toughness)

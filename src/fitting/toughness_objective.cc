@@ -24,14 +24,10 @@ class PackedToughness final : public Cost {
   bool exact_curvature() const override { return true; }
   void at(std::span<const double> x, std::span<const double> weights, CostValue& cost) override {
     std::vector<Sums> pieces((points_.size() + kPiece - 1) / kPiece);
-    const auto add = [&](std::size_t piece) {
+    parallel_for(pieces.size(), [&](std::size_t piece) {
       const std::size_t begin = piece * kPiece;
       pieces[piece] = sums(x[0], begin, std::min(points_.size(), begin + kPiece), weights);
-    };
-    if (pieces.size() > 1)
-      parallel_for(pieces.size(), add);
-    else if (!pieces.empty())
-      add(0);
+    });
     Sums all;
     for (const Sums& piece : pieces) all.add(piece);
     cost.value = all.value;

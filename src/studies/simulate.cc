@@ -83,8 +83,7 @@ std::string problem_of(const Plan& plan) {
   if (!constants.radius || !constants.plane_strain_modulus() || !constants.toughness)
     return "radius, modulus and toughness must be stated";
   if (!contact_of(constants).usable()) return "radius, modulus and toughness together are out of range";
-  if (model->is_elliptic() && constants.mode_III == ModeIII::averaged)
-    return "an average of modes II and III is that of a circle's edge, an ellipse has each where it acts";
+  if (model->is_elliptic() && constants.mode_III == ModeIII::averaged) return kNoAverage;
   if (plan.loads.empty()) return "a plan needs a load";
   for (const double load : plan.loads)
     if (constants.control == NormalControl::approach) {
