@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/threads.h"
 #include "fitting/point_indices.h"
 #include "fitting/prepare.h"
-#include "fitting/standard_errors.h"
 #include "solver/random_effects.h"
 
 namespace mixity {
@@ -34,7 +34,8 @@ class PointsByRun {
   /// Calls body(g) for each run; of many points, on several threads.
   template <class Body>
   void for_each_run(const Body& body) const {
-    for_each_of(runs(), begins_.back(), body);
+    if (begins_.back() >= kManyPoints) return parallel_for(runs(), body);
+    for (std::size_t g = 0; g < runs(); ++g) body(g);
   }
 
  private:

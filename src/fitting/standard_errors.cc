@@ -7,6 +7,7 @@
 
 #include "base/input_error.h"
 #include "base/number_text.h"
+#include "base/threads.h"
 #include "fitting/pull_off_rows.h"
 #include "statistics/readings.h"
 #include "statistics/steps.h"
@@ -97,7 +98,10 @@ std::optional<double> relative_scatter(const Dataset& data) {
       ratios.push_back(e * e / (variance(mid) + w * w * variance(low) + (1 - w) * (1 - w) * variance(high)));
     }
   };
-  for_each_of(runs.size(), data.points.size(), find_ratios);
+  if (data.points.size() < kManyPoints)
+    for (std::size_t run = 0; run < runs.size(); ++run) find_ratios(run);
+  else
+    parallel_for(runs.size(), find_ratios);
   std::vector<double> ratios;
   ratios.reserve(data.points.size());
   for (std::vector<double>& one : of_runs) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/enum_names.h"
-#include "base/threads.h"
 #include "base/units.h"
 #include "dataset/dataset.h"
 #include "statistics/neighbour_correlations.h"
@@ -55,13 +54,6 @@ struct RunDifferences {
 
 /// From this number of points on, a fit stops at what is left of a thousandth of a standard error.
 inline constexpr std::size_t kManyPoints = 1 << 16;
-
-/// Calls body(run) for each run; where their points are many, on several threads.
-template <class Body>
-void for_each_of(std::size_t runs, std::size_t points, const Body& body) {
-  if (points >= kManyPoints) return parallel_for(runs, body);
-  for (std::size_t run = 0; run < runs; ++run) body(run);
-}
 
 /// Curvature matters if the squares of the distances expected from it, in standard errors, add up to this.
 inline constexpr double kCurvatureMatters = 1;
