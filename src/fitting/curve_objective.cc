@@ -149,11 +149,8 @@ struct CurveObjective::Beside final : PointSource {
     points.fill(indices, to);
     for (std::size_t k = 0; k < indices.size(); ++k) {
       const std::size_t i = indices[k];
-      to.T[k] = T_of(i, to.sigma_T[k]);
-      to.A[k] = A_of(i, to.sigma_A[k]);
-      if (points.size < kManyPoints) continue;
-      to.near_T[k] = places.T[i];
-      to.near_A[k] = places.A[i];
+      to.near_T[k] = to.T[k] = T_of(i, to.sigma_T[k]);  // almost on the curve
+      to.near_A[k] = to.A[k] = A_of(i, to.sigma_A[k]);
     }
   }
   MeasuredPoint at(std::size_t i) const override {
@@ -220,12 +217,26 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
 /// Fills the arrays of a block with scaled points, and sets where the search for the nearest places starts: at `from`,
 /// or if that is null where the points know it.
 void CurveObjective::scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin,
-                                 const NearestPlaces* from, Workspace& workspace, CurveDistances& out) const {
+                                 Search search, const NearestPlaces* from, Workspace& workspace,
+                                 CurveDistances& out) const {
   const std::size_t n = out.r.size();
   ConstantsScale scale(constants);
   const auto array = [&](std::size_t which) { return workspace.array(which, n).data(); };
   double *const P = array(0), *const T = array(1), *const A = array(2), *const sigma_T = array(3),
                 *const sigma_A = array(4);
+  const auto begin_near = [&](std::size_t i, const ConstantsScale& by, double near_T, double near_A) {
+    if (out.place_A[i] > 0) return;
+    out.place_T[i] = std::abs(by.shear(near_T));
+    out.place_A[i] = by.true_area(near_A);
+  };
+  const auto has_near = [&](double first_A) {
+    if (search == Search::rough || !(first_A > 0)) return false;
+    if (!out.place_A.empty()) return true;
+    out.place_T = workspace.array(11, n);
+    out.place_A = workspace.array(12, n);
+    std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
+    return true;
+  };
   if (!listed_.empty() && &points == &points_ && !has_changes(constants) && !from) {
     const auto listed = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
     for (std::size_t i = 0; i < n; ++i) {
@@ -235,6 +246,8 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
       sigma_T[i] = scale.shear_force * listed(3)[i];
       sigma_A[i] = scale.area * listed(4)[i];
     }
+    const bool near = has_near(listed(6)[0]);
+    for (std::size_t i = 0; near && i < n; ++i) begin_near(i, scale, listed(5)[i], listed(6)[i]);
     return;
   }
   const PointArrays arrays = workspace.points(n);
@@ -243,23 +256,11 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
     arrays.near_T[i] = from->T[index_of(begin + i)];
     arrays.near_A[i] = from->A[index_of(begin + i)];
   }
-  const bool varies = varies_ || has_changes(constants), near = arrays.near_A[0] > 0;
-  if (near && out.place_A.empty()) {
-    out.place_T = workspace.array(11, n);
-    out.place_A = workspace.array(12, n);
-    std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
-  }
-  double *const place_T = out.place_T.data(), *const place_A = out.place_A.data();
-  const double *const near_T = arrays.near_T.data(), *const near_A = arrays.near_A.data();
-  const auto begin_near = [&](std::size_t i, const ConstantsScale& by) {
-    const bool unknown = !(place_A[i] > 0);
-    place_T[i] = unknown ? std::abs(by.shear(near_T[i])) : place_T[i];
-    place_A[i] = unknown ? by.true_area(near_A[i]) : place_A[i];
-  };
+  const bool varies = varies_ || has_changes(constants), near = has_near(arrays.near_A[0]);
   if (varies) {
     for (std::size_t i = 0; i < n; ++i) {
       scale = ConstantsScale(constants, points.at(index_of(begin + i)).place);
-      if (near) begin_near(i, scale);
+      if (near) begin_near(i, scale, arrays.near_T[i], arrays.near_A[i]);
       P[i] = scale.load(P[i]);
       T[i] = scale.shear(T[i]);
       A[i] = scale.true_area(A[i]);
@@ -269,7 +270,7 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
     return;
   }
   const ConstantsScale same = scale;  // array by array, which compilers make vectors of
-  for (std::size_t i = 0; near && i < n; ++i) begin_near(i, same);
+  for (std::size_t i = 0; near && i < n; ++i) begin_near(i, same, arrays.near_T[i], arrays.near_A[i]);
   for (std::size_t i = 0; i < n; ++i) P[i] = same.load(P[i]);
   for (std::size_t i = 0; i < n; ++i) T[i] = same.shear(T[i]);
   for (std::size_t i = 0; i < n; ++i) A[i] = same.true_area(A[i]);
@@ -292,7 +293,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     out.place_A = array(12);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
-  scale_block(at.constants, points, begin, wanted.from_nearest ? wanted.nearest : nullptr, workspace, out);
+  scale_block(at.constants, points, begin, search, wanted.from_nearest ? wanted.nearest : nullptr, workspace, out);
   OfAxes axes;
   PlanePoints plane{array(0), array(1), array(2), array(3), array(4)};
   if (!wanted.axes.empty() && points.axes) axes.add(*this, points, begin, n, p, plane, out);

@@ -101,7 +101,7 @@ class CurveObjective final : public ModelProblem {
   }
   bool some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range, Search search,
                    const Wanted& wanted) const;
-  void scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin,
+  void scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin, Search search,
                    const NearestPlaces* from, Workspace& workspace, CurveDistances& out) const;
   /// The parameters of a run, clamped to their ranges.
   Candidate of_run(const Candidate& of_all, std::size_t run) const;
@@ -113,7 +113,7 @@ class CurveObjective final : public ModelProblem {
   Expected expected_;
   std::shared_ptr<const Whitening> whitening_;
   std::vector<ParameterValues> shifts_;  // per run; empty: none
-  std::vector<double> listed_;           // P, T, A and their errors by rank, if no run has constants of its own
+  std::vector<double> listed_;           // the PointArrays by rank, if no run has constants of its own
   std::vector<std::size_t> blocks_;      // the rank at which each block begins, and the end of the last
   bool varies_ = false;                  // the constants differ from run to run
   std::vector<std::size_t> axes_row_;    // per point: the row of its axes; 0: none

@@ -89,14 +89,12 @@ double CurveObjective::sum_of(double from, const Of& of) const {
 void CurveObjective::list_points() {
   const std::size_t n = points_.size;
   if (n >= kManyPoints || varies_) return;
-  listed_.resize(5 * n);
-  std::vector<double> near(2 * kBlock);
+  listed_.resize(7 * n);
   for (std::size_t rank = 0; rank < n; rank += kBlock) {
     const std::size_t count = std::min(kBlock, n - rank);
     const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * n + rank, count); };
     points_.fill(Indices(*this, rank, count).list,
-                 {array(0), array(1), array(2), array(3), array(4), std::span(near).first(count),
-                  std::span(near).subspan(kBlock, count)});
+                 {array(0), array(1), array(2), array(3), array(4), array(5), array(6)});
   }
 }
 

@@ -140,21 +140,28 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   if (!is_found(whole)) return {failed, {}, {}};
   std::vector<Cause> found = causes(some, tried, kAboutAsWell);
   std::erase_if(found, [&](const Cause& one) { return !(misfit(whole) - one.misfit > kAboutAsWell); });
+  // A cut of the runs would only leave pull-off loads less to contradict.
+  const bool may_slide = !pull_off_departs(fit);
+  const auto sliding = [&](double chance) -> std::optional<Diagnosis> {
+    auto cut = sliding_is_tried(some, tried) ? before_sliding(some, tried, kFew) : std::nullopt;
+    if (!cut || !explains(some.data, cut->fit, chance)) return std::nullopt;
+    if (of_part) {
+      cut->first = points[cut->first];
+      for (std::size_t& onset : cut->onsets) onset = points[onset];
+    }
+    return Diagnosis{sliding_text(of, whole, *cut, points.size()), {}, {}};
+  };
   if (!found.empty()) {
+    // A cause that fails a test itself stands back where a cut of the runs fails none.
+    if (may_slide && !explains(some.data, found.front().fit, kChance))
+      if (auto slides = sliding(kChance)) return std::move(*slides);
     Diagnosis diagnosis{all_text(found, whole), {}, {}};
     if (all_points) diagnosis.explained = comparable_squares(found.front().fit);
     diagnosis.explanations = explanations_of(found);
     return diagnosis;
   }
-  if (pull_off_departs(fit)) return {failed, {}, {}};  // a cut of the runs would only leave them less to contradict
-  auto cut = sliding_is_tried(some, tried) ? before_sliding(some, tried, kFew) : std::nullopt;
-  if (cut && explains(some.data, cut->fit)) {
-    if (of_part) {
-      cut->first = points[cut->first];
-      for (std::size_t& onset : cut->onsets) onset = points[onset];
-    }
-    return {sliding_text(of, whole, *cut, points.size()), {}, {}};
-  }
+  if (!may_slide) return {failed, {}, {}};
+  if (auto slides = sliding(kHardly)) return std::move(*slides);
   if (!to_beat && data.has_loads && fit.consistency && fit.consistency->residuals.ends_p < kChance)
     if (const auto without = explained_without_ends(some, whole, tried))
       return {"the model describes the points but for the last tenth of each run; without it " + lambda_text(*without),

@@ -287,13 +287,20 @@ std::optional<ErrorModels> estimate_errors(const Dataset& data, const PointIndic
     models.differences = all.size() > residuals.size();
     if (choose) {
       const std::array<double, 4> last = components_of(before);
-      found = choose_variances(residuals, choices(T.known, A.known, true), last);
-      if (models.differences) {
-        auto with = choose_variances(all, choices(T.known, A.known, false), last);
-        models.differences =
-            with && (!found || found->log_likelihood - log_likelihood(residuals, with->theta) < kContradicted);
-        if (models.differences) found = std::move(with);
-      }
+      const std::vector<std::uint32_t> every{(A.known ? 0u : kOfA) | (T.known ? 0u : kOfT)};
+      const auto among = [&](bool may_be_exact) {
+        return stage == Stage::weighting ? every : choices(T.known, A.known, may_be_exact);
+      };
+      std::optional<VarianceComponents> with;
+      if (models.differences) with = choose_variances(all, among(false), last);
+      // Where all parts together make the residuals hardly more likely, no choice of parts does.
+      const auto most = with ? choose_variances(residuals, every, with->theta) : std::nullopt;
+      const auto contradicts = [&](const VarianceComponents& without) {
+        return !(without.log_likelihood - log_likelihood(residuals, with->theta) < kContradicted);
+      };
+      if (!most || contradicts(*most)) found = choose_variances(residuals, among(true), last);
+      models.differences = with && !(found && contradicts(*found));
+      if (models.differences) found = std::move(with);
     } else {
       found = fit_variances(all, before.parts, components_of(before));
     }

@@ -43,7 +43,7 @@ struct ErrorModels {
   double factor(std::size_t run) const { return run_factors.empty() ? 1 : run_factors[run]; }
 };
 
-/// weighting: parts are chosen, ignoring correlations; choosing: parts and correlations are chosen; refining: those
+/// weighting: all parts are estimated, ignoring correlations; choosing: parts and correlations are chosen; refining: those
 /// chosen are estimated; ending: the parts alone are estimated, which ends the iteration.
 enum class Stage { weighting, choosing, refining, ending };
 

@@ -126,14 +126,14 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
   return of.refit(of.data, of.options, before, &whole.parameters);
 }
 
-bool explains(const Dataset& data, const FitResult& fit) {
+bool explains(const Dataset& data, const FitResult& fit, double chance) {
   if (fit.residuals.empty() && fit.pull_off_residuals.empty()) return false;
   const Consistency consistency = test_consistency(data, fit);
   const ResidualTests& tests = consistency.residuals;
-  return !runs_differ(fit, kHardly) && !wrong_constant(fit) && consistency.chi2_p.value_or(1) > kHardly &&
-         !consistency.pinned && !is_far(tests) && tests.course_p > kHardly && !tests.together &&
-         !tests.neighbours_correlate(kHardly) && tests.trend_p > kHardly && tests.ends_p > kHardly &&
-         !(consistency.pull_off && consistency.pull_off->p_value < kHardly);
+  return !runs_differ(fit, chance) && !wrong_constant(fit) && consistency.chi2_p.value_or(1) > chance &&
+         !consistency.pinned && !is_far(tests) && tests.course_p > chance && !tests.together &&
+         !tests.neighbours_correlate(chance) && tests.trend_p > chance && tests.ends_p > chance &&
+         !(consistency.pull_off && consistency.pull_off->p_value < chance);
 }
 
 }  // namespace mixity

@@ -51,7 +51,8 @@ std::optional<Cut> before_sliding(const Case& of, const Points& points, std::siz
 FitResult without_ends(const Case& of, const FitResult& whole, const Points& points);
 
 inline constexpr double kHardly = 1e-5;  // a test with a lower p-value fails clearly
-/// Whether no test of the fit fails clearly; an explanation need not be perfect.
-bool explains(const Dataset& data, const FitResult& fit);
+/// Whether no test of the fit has a p-value below `chance`. By default only those count that fail clearly: an
+/// explanation need not be perfect.
+bool explains(const Dataset& data, const FitResult& fit, double chance = kHardly);
 
 }  // namespace mixity

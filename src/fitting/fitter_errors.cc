@@ -157,7 +157,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr int kRounds = 40, kRoundsOfTrial = 8, kNextIterations = 15, kLast = 10, kLeaps = 4;
   // The rounds of each stage. The first fit, about which differing runs are linearised, may be far off.
   const bool by_run = !options_.by_run.empty(), many = prepared_.used.size() >= kManyPoints && !by_run;
-  const int more = by_run ? 6 : 0, weighting = (many ? 1 : 2) + more, choosing = 2 * weighting - more,
+  const bool known = StandardErrors::is_known(prepared_.errors->source_A) &&
+                     StandardErrors::is_known(prepared_.errors->source_T);  // only neighbours are to be found
+  const int more = by_run ? 6 : 0, weighting = (many || known ? 1 : 2) + more, choosing = 2 * weighting - more,
             refining = 12 + more;
   constexpr double kSettled = 1e-10;        // relative change of an error or a residual; an interval changes as much
   constexpr double kSettledOfTrial = 1e-5;  // an explanation shows four digits
@@ -165,7 +167,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kLeap = 0.1;             // relative change in one of the last rounds
   constexpr double kLeft = 3e-4;    // of many points: standard errors by which all further rounds would move the fit
   constexpr double kEnough = 1e-4;  // of many points: standard errors to which a round finds the minimum
-  constexpr double kNext = 1e-3;    // else: the same, in units of the errors' last relative change
+  constexpr double kFirst = 1e-5;   // else: the same in the first round
+  constexpr double kNext = 0.1;     // and in others, in units of the errors' last relative change
+  constexpr double kSteady = 0.1;   // of a round's change, that of the next
   constexpr double kSwing = 0.5;    // of the distance from the last errors, that from those before them
   constexpr double kSurely = 1e-6;
   constexpr double kFound = 0.01;        // of the spread between runs, by which a round moves their deviations
@@ -189,9 +193,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
     if (free && (round == 0 || !by_run)) {  // else together with the deviations of the runs
-      const double enough = (many ? kEnough : round == 0 ? 0 : kNext * std::min(last_change, 1.0)) / std::sqrt(points);
+      const double enough = (many ? kEnough : round == 0 ? kFirst : kNext * std::min(last_change, 1.0)) / std::sqrt(points);
       quick.kernel_stationary = std::max(enough, exactly.kernel_stationary);
       quick.kernel_stationary_of_several = std::max(enough, exactly.kernel_stationary_of_several);
+      quick.stationary = std::max(enough, exactly.stationary);
       const auto minimum = descend(cost, x, quick);
       if (!minimum) {
         if (round == 0) x.clear();
@@ -258,7 +263,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
     std::vector<std::vector<double>> own;
     // A course common to all runs is not a difference between them.
-    if (!by_run && (apart || (round < choosing && round % weighting == 0 && (!many || round > 0) && !shared)))
+    if (!by_run && (apart || (round < choosing && round % weighting == 0 && (round > 0 || !(many || known)) && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart, by_neighbours);
     const Stage stage = round < weighting  ? Stage::weighting
                         : round < choosing ? Stage::choosing
@@ -279,7 +284,6 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (models.A) errors.model_A = models.A;
     errors.run_factors = models.run_factors;
     errors.correlations = models.correlations;
-    const bool known = StandardErrors::is_known(errors.source_A) && StandardErrors::is_known(errors.source_T);
     const bool far_off = known && !errors.factor_is_free && !models.correlations.any() && !many &&
                          chi_squared_p_value(as_vector(nearest->residuals).squaredNorm(), freedom) < kSurely;
     const double settled = tried ? kSettledOfTrial : far_off ? kSettledFarOff : kSettled;
@@ -292,8 +296,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (many && !errors.correlations.any()) drop({&errors.load_T});
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
-    last_change = change;
-    if (change <= settled && round > choosing) break;
+    // What all further rounds would change, if each changes as many times less as this one.
+    const double ratio = change / std::exchange(last_change, change), left = ratio < kSteady ? change * ratio : change;
+    if (left <= settled && round > choosing) break;
     if (many) {
       const double earlier = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
       if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < earlier &&

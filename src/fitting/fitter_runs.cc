@@ -82,6 +82,7 @@ bool Fitter::refresh_columns(const std::vector<double>& x) {
 /// start on entry, at the end on return. False where that is not finite.
 bool Fitter::shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest) {
   constexpr int kMost = 5;
+  constexpr double kRise = 1e-3;  // a common parameter that moves may raise the squares of some runs by as much
   RunDifferences& to = prepared_.errors->runs;
   const RunDifferences wanted = to;
   const UsedRuns in_runs = used_runs(data_, prepared_.used);
@@ -105,7 +106,7 @@ bool Fitter::shorten_steps(const std::vector<double>& x, const RunDifferences& s
     for (std::size_t i = 0; i < expected.size(); ++i) nearest.residuals[i] -= expected[i];
     bool all = true;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (step[g] == 0 || cost(g, nearest.residuals, to) <= least[g] * (1 + 1e-9)) continue;
+      if (step[g] == 0 || cost(g, nearest.residuals, to) <= least[g] * (1 + kRise)) continue;
       all = false;
       step[g] = halving + 1 == kMost ? 0 : step[g] / 2;
       for (std::size_t q = 0; q < to.names.size(); ++q) {

@@ -80,9 +80,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
     PointIndices used;
     std::optional<PointPlaces> places{};
     std::vector<PointPlace> runs{};
-    bool near = false;  // whether the places of the fit so far may be used
-
-    bool has_near() const { return near && !errors->place_T.empty(); }
+    bool has_near() const { return errors && !errors->place_T.empty(); }
     bool has_places() const override { return places.has_value(); }
     void fill(std::span<const std::uint32_t> indices, const PointArrays& to) const override {
       const bool reversed = !data.shear_reversed.empty(), places_known = has_near();
@@ -134,7 +132,6 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   };
   const auto shared = std::make_shared<Source>(data, prepared.errors, prepared.used);
   Source& source = *shared;
-  source.near = data.points.size() >= kManyPoints && prepared.errors;
   if (places_matter(prepared)) source.places.emplace(data);
   if (prepared.errors && prepared.errors->runs.any()) source.runs = constants_of_runs(data, prepared.errors->runs);
   const std::size_t n = prepared.used.size();
@@ -144,7 +141,7 @@ MeasuredPoints measured_points(const Dataset& data, const PreparedFit& prepared)
   if (prepared.model.holds_approach() && !data.loads_beside.empty())
     axes = std::make_shared<const std::vector<MeasuredAxes>>(loads_beside(data, prepared));
   MeasuredPoints points(n, shared);
-  if (n < kManyPoints) {
+  if (n < kManyPoints && source.has_places()) {
     std::vector<MeasuredPoint> list;
     list.reserve(n);
     for (std::size_t k = 0; k < n; ++k) list.push_back(source.at(k));

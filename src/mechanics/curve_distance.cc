@@ -29,9 +29,9 @@ class Distances {
     for (std::size_t from = 0; from < n; from += kBlock) {
       const std::size_t count = std::min(kBlock, n - from);
       if (!set_points(block_, points_, from, count)) return false;
-      if (begin_nearby(from, count))
-        run_block<Begin::nearby>(family_, kSteps, true, block_, result_);
-      else
+      const bool nearby = begin_nearby(from, count);
+      if (nearby) run_block<Begin::nearby>(family_, kSteps, true, block_, result_);
+      if (!nearby || !all_sure())
         run_block<Begin::at_the_point>(family_, search_ == Search::rough ? 0 : kSteps, derivatives_, block_, result_);
       if (all_inside()) {
         if (!write_all(from, count)) return false;
@@ -270,6 +270,11 @@ class Distances {
       if (!write(better ? block_ : unmoved, better ? result_ : unmoved_, slot, left_[from + slot].index)) return false;
     }
     return true;
+  }
+
+  /// Whether all places of the block are proven to be the nearest.
+  bool all_sure() const {
+    return std::all_of(result_.sure.begin(), result_.sure.end(), [](double sure) { return sure > 0; });
   }
 
   /// Whether all points of the block are proven to be nearest to a place between the ends of the curve.
