@@ -248,6 +248,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     // Later rounds change chi^2, mostly by less than a tenth, but not by this factor; 0: not yet known.
     const double at_most = round == choosing       ? 1.25
                            : round == more         ? 2
+                           : round == more + 1     ? 1.5
                            : by_run && round == 2  ? 4
                            : by_run && round == 1  ? 8
                                                    : 0;
