@@ -123,8 +123,10 @@ void InputStream::read(std::size_t bytes, std::string& text) {
   if (given_) {
     text.append(*given_, file_.bytes, bytes);
   } else {
-    text.resize(before + bytes);
-    text.resize(before + std::fread(text.data() + before, 1, bytes, stream_.get()));
+    // one byte more than is left shows the end of the file
+    const std::size_t most = size_ && file_.bytes <= *size_ ? std::min(bytes, *size_ - file_.bytes + 1) : bytes;
+    text.resize(before + most);
+    text.resize(before + std::fread(text.data() + before, 1, most, stream_.get()));
     if (std::ferror(stream_.get()))
       throw InputError(file_.path, std::string("cannot be read: ") + std::strerror(errno));
   }

@@ -82,14 +82,17 @@ bool take(std::string_view& text, std::string_view start) {
 std::optional<Unit> parse_symbol(std::string_view text) {
   for (const Symbol& symbol : kSymbols)
     if (symbol.name == text || is_word(text, symbol.name)) return Unit{symbol.factor, symbol.dimension, {}};
-  for (const Prefix& prefix : kPrefixes)
+  for (const Prefix& prefix : kPrefixes) {
+    std::string_view rest = text;
+    if (!take(rest, prefix.name)) continue;
     for (const Symbol& symbol : kSymbols)
-      if (symbol.takes_prefix && text.starts_with(prefix.name) && text.substr(prefix.name.size()) == symbol.name)
+      if (symbol.takes_prefix && symbol.name == rest)
         // dividing by 10^n is exact where multiplying by 10^-n is not
         return Unit{prefix.power < 0 ? symbol.factor / std::pow(10.0, -prefix.power)
                                      : symbol.factor * std::pow(10.0, prefix.power),
                     symbol.dimension,
                     {}};
+  }
   return std::nullopt;
 }
 

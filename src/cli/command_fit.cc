@@ -99,7 +99,8 @@ int run_fit(const Arguments& arguments) {
   if (progress) progress(1);
   make_names_unique(results);
   std::string text;
-  for (const Analysis& result : results) text += (text.empty() ? "" : "\n") + to_text(result);
+  for (const Analysis& result : results)
+    if (FLAGS_format == "text" || !FLAGS_out.empty()) text += (text.empty() ? "" : "\n") + to_text(result);
   std::vector<OutputFile> files;
   std::vector<std::string> inputs;
   for (const Analysis& result : results)

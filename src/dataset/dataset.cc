@@ -101,14 +101,15 @@ void read_table(const std::string& metadata_path, Inputs& inputs, Dataset& data)
   }
   data.notes = file.notes();
   const RunsBeside beside = rows.table() ? rows.table()->beside : RunsBeside{};
+  const bool lacking = lacks_loads(rows, rules);
   std::vector<double> loads;
-  if (lacks_loads(rows, rules))
+  if (lacking)
     for (const std::string& name : beside.names)
       if (const auto one = load_in(name, rules.known_names())) loads.push_back(*one);
   if (loads.size() < beside.names.size()) loads.clear();
-  const std::optional<double> load = !loads.empty()             ? std::optional(loads[0])
-                                     : lacks_loads(rows, rules) ? load_above_rows(rows, file, rules)
-                                                                : std::nullopt;
+  const std::optional<double> load = !loads.empty() ? std::optional(loads[0])
+                                     : lacking      ? load_above_rows(rows, file, rules)
+                                                    : std::nullopt;
   if (load) rules.load_stated = true;
   Collector collector(metadata_path, headings, rules, load, data);
   collector.begin_table(rows.title());

@@ -169,8 +169,10 @@ class Fields {
   Json json(const T& value, const Within& within) const {
     const Within inside = entered(value, within);
     Json object = Json::object();
+    auto& members = object.get_ref<Json::object_t&>();
+    members.reserve(list_.size());
     for (const Field& field : list_)
-      if (Json one = field.read(value, inside); !one.is_discarded()) object[field.name] = std::move(one);
+      if (Json one = field.read(value, inside); !one.is_discarded()) members.emplace_back(field.name, std::move(one));
     return object;
   }
 

@@ -146,8 +146,6 @@ bool CsvSplitter::next(std::string_view& text, bool is_rest, CsvRow& row) {
   return false;
 }
 
-bool CsvSplitter::is_blank(char c) const { return (c == ' ' || c == '\t') && c != format_.delimiter; }
-
 void CsvSplitter::fail(std::string_view before, const char* message) const {
   const auto lines = std::count(before.begin(), before.end(), format_.line_end);
   throw InputError(path_, line_ + static_cast<std::size_t>(lines), 1, message);
@@ -156,6 +154,7 @@ void CsvSplitter::fail(std::string_view before, const char* message) const {
 /// Reads the row at the beginning of the text, blank or not. Returns its length in bytes; 0 if its end is missing.
 std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) {
   row.fields_.clear();
+  row.fields_.reserve(width_);
   row.unquoted_.clear();
   row.line_ = line_;
   row.format_ = format_;
@@ -182,7 +181,7 @@ std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) 
       if (!at) return 0;
     } else {
       const char* const begin = at;
-      while (at != end && !ends_field_[byte(*at)]) ++at;
+      at = std::find_if(at, end, [&](char c) { return ends_field_[byte(c)]; });
       row.fields_.push_back(trim({begin, static_cast<std::size_t>(at - begin)}));
     }
     if (at == end || *at != format_.delimiter) break;
@@ -196,6 +195,7 @@ std::size_t CsvSplitter::take(std::string_view text, bool is_rest, CsvRow& row) 
   }
   if (at == end && !is_rest) return 0;
   row.raw_ = without_line_end(before());
+  width_ = row.size();
   if (at != end) ++at;
   line_ +=
       quotes ? std::max<std::size_t>(1, static_cast<std::size_t>(std::count(text.data(), at, format_.line_end))) : 1;

@@ -79,12 +79,12 @@ class CsvSplitter {
   std::size_t take_line(std::string_view text, bool is_rest, CsvRow& row);
   std::size_t take_as_line(std::string_view text, bool is_rest, CsvRow& row);
   const char* quoted_field(const char* at, const char* end, CsvRow& row) const;
-  bool is_blank(char c) const;
+  bool is_blank(char c) const { return (c == ' ' || c == '\t') && c != format_.delimiter; }
   [[noreturn]] void fail(std::string_view before, const char* message) const;
 
   std::string path_;
   CsvFormat format_;
-  std::size_t line_, loose_rows_ = 0;
+  std::size_t line_, loose_rows_ = 0, width_ = 0;  // width_: of the row before
   std::array<bool, 256> ends_field_{};
 };
 

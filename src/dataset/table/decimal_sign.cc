@@ -1,5 +1,6 @@
 #include "dataset/table/decimal_sign.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/input_error.h"
@@ -40,7 +41,8 @@ Reading read_numbers(const std::vector<CsvRow>& rows, std::size_t first_row, con
       valid &= field.is_valid;
       reading.grouped |= field.style.grouped && !field.style.doubtful;
       reading.in_threes += field.style.doubtful;
-      const bool has_sign = field.text.find_first_of(".,") != std::string_view::npos;
+      const bool has_sign =
+          std::any_of(field.text.begin(), field.text.end(), [](char c) { return c == '.' || c == ','; });
       reading.signs += has_sign;
       reading.bare += !has_sign && !std::isnan(field.value);
     }

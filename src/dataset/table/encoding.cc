@@ -19,7 +19,10 @@ bool take_mark(std::string_view& text, std::string_view start) {
 
 /// Checks the start of a text, which may end within a character.
 bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  while (true) {
+    text.remove_prefix(static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_ascii) - text.begin()));
+    if (text.empty()) return true;
     utf8proc_int32_t character = 0;
     const auto* const at = reinterpret_cast<const utf8proc_uint8_t*>(text.data());
     const auto length = utf8proc_iterate(at, static_cast<utf8proc_ssize_t>(text.size()), &character);
@@ -32,7 +35,6 @@ bool is_utf8(std::string_view text) {
     }
     text.remove_prefix(static_cast<std::size_t>(length));
   }
-  return true;
 }
 
 unsigned char byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }

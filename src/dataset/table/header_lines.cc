@@ -235,8 +235,9 @@ NumberRows::NumberRows(const std::vector<CsvRow>& lines) {
   std::size_t count = 0, count_with_words = 0;
   for (const CsvRow& line : lines) {
     are.push_back(is_row_of_numbers(line));
-    if (!are.back()) continue;
     const bool words = begins_with_words(line);
+    if (!are.back() || words) only_from = are.size();
+    if (!are.back()) continue;
     ++(words ? with_words : rows)[line.size()];
     ++(words ? count_with_words : count);
   }

@@ -36,6 +36,7 @@ struct NumberRows {
   /// The numbers of fields that they have, that of most rows first. Rows that begin with words, as lines of a head do
   /// ("Samples 39 39"), count only if they are most.
   std::vector<std::size_t> widths;
+  std::size_t only_from = 0;  // all lines from this index on are rows that begin with numbers
   explicit NumberRows(const std::vector<CsvRow>& lines);
 };
 

@@ -81,9 +81,10 @@ class TableParts {
 
   void take(const CsvRow& row, std::size_t offset) {
     const bool may_be_data = is_row_of_numbers(row) && !(rows_ ? is_title(row, *rows_) : begins_with_words(row));
-    if (const HeadLine* const headings = may_be_data ? headings_above(above_, row) : nullptr)
+    const bool may_begin = may_be_data && !above_.empty();
+    if (const HeadLine* const headings = may_begin ? headings_above(above_, row) : nullptr)
       begin(*headings, true, row);
-    else if (may_be_data && rows_ && !above_.empty() && repeats_title(above_.back()))
+    else if (may_begin && rows_ && repeats_title(above_.back()))
       begin(above_.back(), false, row);
     if (!may_be_data || !rows_) {
       if (above_.size() == kHead) above_.erase(above_.begin());
@@ -100,6 +101,9 @@ class TableParts {
     }
     last.last_line = row.line();
   }
+
+  /// Whether rows of the last table are being read, among which only other lines could begin another.
+  bool goes_on() const { return rows_ && above_.empty(); }
 
   std::vector<TablePart> found() && { return std::move(parts_); }
 
@@ -167,9 +171,10 @@ bool is_title(const CsvRow& line, const RowForm& rows) {
 std::vector<ListedTable> list_tables(std::string_view text, std::size_t first_line, const ListingRules& rules) {
   TableParts parts(rules);
   CsvSplitter splitter({}, rules.format, first_line);
+  const std::size_t last = rules.whole && rules.whole->only_rows ? rules.whole->line : std::string::npos;
   try {
     std::string_view rest = text;
-    for (CsvRow row; splitter.next(rest, true, row);)
+    for (CsvRow row; splitter.next(rest, true, row) && !(row.line() > last && parts.goes_on());)
       if (!row.is_comment()) parts.take(row, static_cast<std::size_t>(row.raw().data() - text.data()));
   } catch (const InputError&) {  // of quotes, which are reported when the rows are read
   }

@@ -53,8 +53,10 @@ bool is_setting(const CsvRow& line) {
   return false;
 }
 
-/// Finds where the rows below the headings begin. Skips lines of words, as Origin writes them, and of settings.
-void set_first_row(std::string_view text, const Lines& lines, const HeadingLine& at, Table& table) {
+/// Finds where the rows below the headings begin, and whether only such follow. Skips lines of words, as Origin writes
+/// them, and of settings.
+void set_first_row(std::string_view text, const Lines& lines, const NumberRows& rows, const HeadingLine& at,
+                   Table& table) {
   std::size_t begin = at.index ? *at.index + 1 : at.first_row;
   for (; begin < at.first_row; ++begin) {
     const CsvRow& line = lines[begin];
@@ -66,6 +68,7 @@ void set_first_row(std::string_view text, const Lines& lines, const HeadingLine&
     table.passed_over.push_back(lines[begin].line());
   table.offset = static_cast<std::size_t>(lines[begin].raw().data() - text.data());
   table.line = lines[begin].line();
+  table.only_rows = begin >= rows.only_from;
 }
 
 /// Where the headings are those of runs side by side, leaves those of the first. Not where blanks part the columns,
@@ -155,8 +158,8 @@ std::optional<Candidate> guess(const std::string& path, std::string_view text, s
   find_runs_beside(lines, *at, rules, table);
   made.columns = indices_of_numbers(path, table.headings, rules);
   table.units_line = take_row_of_units(path, lines, *at, made.columns, rules, table.headings);
-  made.columns = indices_of_numbers(path, table.headings, rules);
-  set_first_row(text, lines, *at, table);
+  if (table.units_line > 0) made.columns = indices_of_numbers(path, table.headings, rules);
+  set_first_row(text, lines, rows, *at, table);
   table.summary_line = find_summary(lines, at->first_row, made.columns, table);
   if (made.columns.empty()) return made;
   // if commas separate columns, the decimal sign of a field without quotes is a point

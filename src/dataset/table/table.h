@@ -19,7 +19,8 @@ struct Table {
   std::size_t header_line = 0, units_line = 0;  // 0: none
   std::vector<std::size_t> passed_over{};       // lines of words between the headings and the numbers
   std::size_t summary_line = 0;                 // the first row that summarises those above; 0: none
-  RunsBeside beside{};                          // the headings are those of its first run
+  bool only_rows = false;  // all lines that were searched below the first row are rows that begin with numbers
+  RunsBeside beside{};     // the headings are those of its first run
 };
 
 /// The table in the first lines of a file, or in all of it. The separator and the decimal sign are those with which the

@@ -52,12 +52,13 @@ TableRows::TableRows(const std::string& path, CsvFile& file, const Rules& rules)
 }
 
 void TableRows::choose(std::string_view start) {
-  const ListingRules listing{path_, table_->format, rules_.columns, table_->format.decimal, {}, {}, &*table_};
+  ListingRules listing{path_, table_->format, rules_.columns, table_->format.decimal, {}, {}, &*table_};
   if (start.size() > kListed) start = start.substr(0, start.find_last_of("\r\n", kListed) + 1);
   std::vector<ListedTable> found = list_tables(start, 1, listing);
   add_kinds(found, kinds_);
   if (rules_.wanted) {
     if (*rules_.wanted > kinds_.size()) {
+      listing.whole = nullptr;  // it was found in the first lines
       found = list_tables(file_.rest_from(0), 1, listing);
       add_kinds(found, kinds_);
     }
@@ -89,7 +90,7 @@ void TableRows::take(const ListedTable& chosen) {
 
 void TableRows::require_one_kind(const std::vector<ListedTable>& found) {
   add_kinds(found, kinds_);
-  if (rules_.wanted) return;
+  if (rules_.wanted || kinds_.size() < 2) return;
   std::vector<std::size_t> usable;
   for (std::size_t k = 0; k < kinds_.size(); ++k)
     if (rules_.is_usable(kinds_[k].table)) usable.push_back(k);

@@ -195,6 +195,15 @@ TEST(SeveralTables, OfAnyLengthAreRead) {
   EXPECT_TRUE(data.excluded.empty());
 }
 
+TEST(SeveralTables, BehindTheFirstLinesAreChosenByTheirNumber) {
+  std::string text = kHeadings;
+  for (int i = 0; i < 10000; ++i) text += "0.008," + std::to_string(1e-5 * i) + ",0.46\n";
+  EXPECT_EQ(load_error(text, kConstants + "table = 2\n").substr(0, 34), "a.csv: has no table 2; there is 1,");
+  text += "psi [deg],Gc [mJ/m^2]\n10,28\n30,33\n50,48\n";
+  EXPECT_EQ(load(text, "table = 2\n").converted.size(), 3u);
+  EXPECT_EQ(load(text, "table = 1\n").points.size(), 10000u);
+}
+
 /// The error about a table of eight rows with this text after the fifth; empty if it is read.
 std::string error_with(const std::string& between, const std::string& toml = "") {
   const std::string rows = "0.008,0.00,0.460\n0.008,0.02,0.452\n0.008,0.04,0.441\n";
