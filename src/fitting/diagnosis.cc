@@ -102,7 +102,7 @@ bool sliding_is_tried(const Case& of, const Points& points) {
   constexpr std::size_t kSome = 50;
   if (!of.data.has_loads || of.to_beat) return false;
   if (points.size() < 2 * kSome) return true;
-  const std::optional<Cut> cut = before_sliding(of, thinned(points, kSome), 1);
+  const std::optional<Cut> cut = before_sliding(of, thinned_from_ends(of.data, points, kSome), 1);
   return cut && explains(of.data, cut->fit);
 }
 

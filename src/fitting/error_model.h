@@ -43,8 +43,8 @@ struct ErrorModels {
   double factor(std::size_t run) const { return run_factors.empty() ? 1 : run_factors[run]; }
 };
 
-/// weighting: all parts are estimated, ignoring correlations; choosing: parts and correlations are chosen; refining: those
-/// chosen are estimated; ending: the parts alone are estimated, which ends the iteration.
+/// weighting: all parts are estimated, ignoring correlations; choosing: parts and correlations are chosen; refining:
+/// those chosen are estimated; ending: the parts alone are estimated, which ends the iteration.
 enum class Stage { weighting, choosing, refining, ending };
 
 /// Estimates the error model from the squared residuals by restricted likelihood. The parts, a constant and a

@@ -68,6 +68,15 @@ Points thinned(const PointIndices& points, std::size_t enough) {
   return some;
 }
 
+Points thinned_from_ends(const Dataset& data, const Points& points, std::size_t enough) {
+  const std::size_t step = points.size() / enough + 1;
+  Points some;
+  for (const Points& run : runs_from_low_shear(data, points))
+    for (std::size_t k = run.size(); k > 0; k -= std::min(k, step)) some.push_back(run[k - 1]);
+  std::sort(some.begin(), some.end());
+  return some;
+}
+
 bool is_found(const FitResult& fit) { return has_minimum(fit) && fit.freedom() > 0; }
 
 double per_freedom(const FitResult& fit) { return comparable_squares(fit) / static_cast<double>(fit.freedom()); }

@@ -26,6 +26,8 @@ inline bool worth_a_sample(const Points& points) { return points.size() >= 2 * k
 
 /// At most `enough` of the points, evenly spaced.
 Points thinned(const PointIndices& points, std::size_t enough);
+/// About as many, with the last point of each run, where points past the onset of sliding are.
+Points thinned_from_ends(const Dataset& data, const Points& points, std::size_t enough);
 
 /// Whether a refit reached a minimum with more points than parameters.
 bool is_found(const FitResult& fit);

@@ -193,7 +193,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   for (int round = 0; round < most; ++round) {
     const ProblemWithPriors cost(*problem_);
     if (free && (round == 0 || !by_run)) {  // else together with the deviations of the runs
-      const double enough = (many ? kEnough : round == 0 ? kFirst : kNext * std::min(last_change, 1.0)) / std::sqrt(points);
+      const double enough = (many         ? kEnough
+                             : round == 0 ? kFirst
+                                          : kNext * std::min(last_change, 1.0)) /
+                            std::sqrt(points);
       quick.kernel_stationary = std::max(enough, exactly.kernel_stationary);
       quick.kernel_stationary_of_several = std::max(enough, exactly.kernel_stationary_of_several);
       quick.stationary = std::max(enough, exactly.stationary);
@@ -246,12 +249,12 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
     std::optional<ErrorModels> by_neighbours;  // what Stage::choosing would find, where it is known
     // Later rounds change chi^2, mostly by less than a tenth, but not by this factor; 0: not yet known.
-    const double at_most = round == choosing       ? 1.25
-                           : round == more         ? 2
-                           : round == more + 1     ? 1.5
-                           : by_run && round == 2  ? 4
-                           : by_run && round == 1  ? 8
-                                                   : 0;
+    const double at_most = round == choosing      ? 1.25
+                           : round == more        ? 2
+                           : round == more + 1    ? 1.5
+                           : by_run && round == 2 ? 4
+                           : by_run && round == 1 ? 8
+                                                  : 0;
     if (at_most > 0 && scatters_too_far(*nearest, leverage, models, at_most, round == choosing, by_neighbours)) {
       given_up_ = true;
       return false;
@@ -264,7 +267,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
     std::vector<std::vector<double>> own;
     // A course common to all runs is not a difference between them.
-    if (!by_run && (apart || (round < choosing && round % weighting == 0 && (round > 0 || !(many || known)) && !shared)))
+    if (!by_run &&
+        (apart || (round < choosing && round % weighting == 0 && (round > 0 || !(many || known)) && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart, by_neighbours);
     const Stage stage = round < weighting  ? Stage::weighting
                         : round < choosing ? Stage::choosing
