@@ -182,26 +182,9 @@ Cause with_stiffness(const Case& of, const Points& points) {
   return cause;
 }
 
-/// The run that causes nearly all of the differences alone; null if there is none.
-std::optional<std::size_t> odd_run(const RunDifferences& runs, std::size_t quantity) {
-  constexpr double kNearlyAll = 0.8;  // of the sum of squares about the median
-  constexpr std::size_t kFewest = 4;  // runs: with fewer, none can be called odd
-  const std::vector<double>& all = runs.deviations[quantity];
-  if (all.size() < kFewest) return std::nullopt;
-  std::vector<double> sorted = all;
-  std::sort(sorted.begin(), sorted.end());
-  const double median = 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);
-  double sum = 0, most = 0;
-  std::size_t odd = 0;
-  for (std::size_t run = 0; run < all.size(); ++run) {
-    const double square = std::pow(all[run] - median, 2);
-    sum += square;
-    if (square > most) {
-      most = square;
-      odd = run;
-    }
-  }
-  return most > kNearlyAll * sum ? std::optional(odd) : std::nullopt;
+/// Whether a quantity that differs in one run alone explains the points better than one that differs in all.
+bool is_of_one_run(const Cause& cause) {
+  return cause.kind == Cause::Kind::runs && cause.fit.one_run && cause.fit.one_run->misfit < misfit(cause.fit);
 }
 
 void describe(const Case& of, Cause& cause) {
@@ -217,18 +200,18 @@ void describe(const Case& of, Cause& cause) {
   const std::string alike = cause.name == kConstantNames[kAreaScale] ? " (or modulus, which acts like it)" : "";
   cause.size = cause.name + alike + " differs from run to run by " + size_text(of.data, cause.name, runs.spreads[q]) +
                " (standard deviation)";
-  const auto odd = odd_run(runs, q);
-  if (!odd) return;
+  if (!is_of_one_run(cause)) return;
+  const OneRun odd = *cause.fit.one_run;
   Points others;
   for (const std::size_t i : cause.points)
-    if (of.data.points[i].curve != *odd) others.push_back(i);
+    if (of.data.points[i].curve != odd.run) others.push_back(i);
   FitResult without = of.refit(of.data, of.options, others, &of.fit.parameters);
   if (!is_found(without) || !explains(of.data, without)) return;
-  const std::string& name = of.data.curves[*odd];
+  const std::string& name = of.data.curves[odd.run];
   cause.kind = Cause::Kind::one_run;
   cause.run = name;
   cause.size = cause.name + alike + " of run " + name + " differs from that of the others by " +
-               size_text(of.data, cause.name, runs.deviations[q][*odd]);
+               size_text(of.data, cause.name, odd.deviation);
   cause.remedy = Remedy::set("leave_out", name) + " or " + Remedy::set("by_run", cause.name);
   cause.points = std::move(others);
   cause.fit = std::move(without);
@@ -237,8 +220,10 @@ void describe(const Case& of, Cause& cause) {
 double implausibility(const Case& of, const Cause& cause) {
   const FittedParameter& first = cause.fit.parameters.front();
   if (cause.name == kStiffness) return 0;  // it may have been left out
-  if (cause.kind == Cause::Kind::runs)
-    return implausibility(of.data, cause.name, cause.fit.errors->runs.spreads.back(), first.value.value_or(0));
+  if (cause.kind == Cause::Kind::runs) {
+    const double size = is_of_one_run(cause) ? cause.fit.one_run->deviation : cause.fit.errors->runs.spreads.back();
+    return implausibility(of.data, cause.name, size, first.value.value_or(0));
+  }
   const Constant constant = constant_named(cause.name).value();
   const double found = constants_of(of.data, of.options, cause.fit.parameters)[constant];
   return implausibility(of.data, cause.name, found - constants_of(of.data, of.options)[constant], 0);
@@ -293,15 +278,16 @@ double misfit(const FitResult& fit) {
 std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   const Points some = thinned(points, kTriedFirst);
   const bool many = worth_a_sample(points);
-  const auto explained = [&](const Cause& one) {
-    const bool lost = one.kind == Cause::Kind::runs &&
-                      !(one.fit.errors && one.fit.errors->runs.any() && one.fit.errors->runs.spreads.back() > 0);
-    return !lost && is_explanation(of, one.fit);
+  const auto differs = [](const Cause& one) {
+    return one.kind != Cause::Kind::runs ||
+           (one.fit.errors && one.fit.errors->runs.any() && one.fit.errors->runs.spreads.back() > 0);
   };
   std::vector<Cause> list;
   const auto consider = [&](const Case& with, const Case& with_all, const auto& cause) {
-    if (many && !explained(cause(with, some))) return;
-    if (Cause one = cause(with_all, points); explained(one)) list.push_back(std::move(one));
+    // Few points may show no difference between the runs where all of them do.
+    if (many && !is_explanation(of, cause(with, some).fit)) return;
+    if (Cause one = cause(with_all, points); differs(one) && is_explanation(of, one.fit))
+      list.push_back(std::move(one));
   };
   // If another model has won, errors need not be estimated for each cause, and differing runs explain nothing.
   FitOptions bare = of.options;
@@ -323,7 +309,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double range) {
   if (!of.to_beat && !has_course(of.fit) && of.fit.rows() == of.fit.used.size())  // by_run knows areas alone
     for (const std::string& quantity : differing_quantities(of.fit))
       consider(of, of, [&](const Case& with, const Points& which) { return by_run(with, quantity, which); });
-  for (Cause& one : list) one.misfit = misfit(one.fit);
+  for (Cause& one : list) one.misfit = is_of_one_run(one) ? one.fit.one_run->misfit : misfit(one.fit);
   std::stable_sort(list.begin(), list.end(), [](const Cause& x, const Cause& y) { return x.misfit < y.misfit; });
   std::erase_if(
       list, [&, best = list.empty() ? 0 : list.front().misfit](const Cause& one) { return one.misfit > best + range; });

@@ -101,7 +101,10 @@ FitResult Fitter::run() {
   suspect_wide_errors();
   if (checked()) test_residuals(x);
   // An explanation whose residuals fail is dropped: whether its runs differ is of no interest.
-  if (some && purpose_ == Purpose::tried && explains(data_, result_)) test_runs(x);
+  if (some && purpose_ == Purpose::tried && explains(data_, result_)) {
+    prepared_.used = result_.used;  // finished() has moved them
+    test_runs(x);
+  }
   return std::move(result_);
 }
 

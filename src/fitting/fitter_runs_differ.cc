@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/causes.h"
 #include "fitting/consistency.h"
 #include "fitting/curve_objective.h"
 #include "fitting/fitted_errors.h"
@@ -38,6 +39,14 @@ bool any_differs(const RunRows& rows, const Groups& groups, double rest) {
     differ |= fisher_p_value(test->fall / test->directions / left, test->directions, rest - test->directions) < kChance;
   }
   return differ;
+}
+
+/// Removes from the rows of the data what is fitted by run.
+void take_off(const GroupWhitening& by_run, RunRows& rows) {
+  const auto data = static_cast<std::size_t>(rows.Zw.rows());
+  by_run.apply({rows.r.data(), data});
+  for (Eigen::Index k = 0; k < rows.J.cols(); ++k) by_run.apply({rows.J.col(k).data(), data});
+  for (Eigen::Index k = 0; k < rows.Zw.cols(); ++k) by_run.apply({rows.Zw.col(k).data(), data});
 }
 
 }  // namespace
@@ -167,6 +176,37 @@ void Fitter::add_rows_of_axes(Groups& groups) const {
       if (const std::size_t row = objective.row_of_axes(group[k]); row > 0) group.push_back(row);
 }
 
+/// The last quantity fitted by run in one run alone. Deviations of all runs would have to be as large as that of an odd
+/// run, which is unlikely the better the others determine the quantity. `rows`: without deviations, in units of `unit`.
+std::optional<OneRun> Fitter::one_run(RunRows rows, const Groups& groups, Eigen::Index quantity, double unit) const {
+  constexpr std::size_t kFewest = 4;  // runs: with fewer, none can be called odd
+  const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
+  const auto by_run = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours);
+  if (groups.size() < kFewest || !by_run) return std::nullopt;
+  StandardErrors errors = *prepared_.errors;
+  errors.runs.spreads.pop_back();
+  errors.runs.columns.pop_back();
+  const auto others = whitening_of_runs(data_, prepared_.used, errors, neighbours);
+  if (others) take_off(*others, rows);
+  const GroupedRows grouped = grouped_rows(rows.J, rows.r, rows.Zw.col(quantity), groups);
+  const auto test = test_groups(grouped, std::vector<double>(groups.size(), 1.0));
+  const auto alike = most_probable(grouped, Eigen::VectorXd::Zero(1));
+  if (!test || !alike) return std::nullopt;
+  const auto largest = std::max_element(test->groups.begin(), test->groups.end(),
+                                        [](const auto& x, const auto& y) { return x.fall < y.fall; });
+  const bool known = problem_->known_errors();
+  const double fall = largest->fall * unit * unit,
+               squares = (rows.r + rows.J * alike->step).squaredNorm() * unit * unit - fall,
+               variance = known ? 1 : squares / static_cast<double>(result_.rows());
+  if (!(squares > 0 && fall > variance)) return std::nullopt;
+  const double log_variances =
+      result_.log_variances - by_run->log_determinant() + (others ? others->log_determinant() : 0);
+  // The most likely spread of that run makes its deviation as large as expected.
+  const double of_spread = 1 + std::log(fall / variance), of_choice = 2 * std::log(static_cast<double>(groups.size()));
+  return OneRun{used_runs(data_, prepared_.used).runs[static_cast<std::size_t>(largest - test->groups.begin())],
+                largest->value, misfit(squares, log_variances, result_.rows(), known) + of_spread + of_choice};
+}
+
 /// Tests each quantity that is not fitted by run: does it differ in one run, in all, or with their order?
 void Fitter::test_runs(const std::vector<double>& x) {
   result_.run_tests.clear();
@@ -203,14 +243,13 @@ void Fitter::test_runs(const std::vector<double>& x) {
     if (result_.axes > 0) add_rows_of_axes(groups);  // pull-off loads belong to no run
   }
   if (!rows) return;
+  const auto of_trial = std::find(tested.begin(), tested.end(), options_.by_run.empty() ? "" : options_.by_run.back());
+  if (purpose_ == Purpose::tried && of_trial != tested.end())
+    result_.one_run = one_run(*rows, groups, of_trial - tested.begin(), unit);
   // Removes what is already fitted by run.
   const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
-  if (const auto take_off = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours)) {
-    const auto data = static_cast<std::size_t>(rows->Z.rows());
-    take_off->apply({rows->r.data(), data});
-    for (Eigen::Index k = 0; k < rows->J.cols(); ++k) take_off->apply({rows->J.col(k).data(), data});
-    for (Eigen::Index k = 0; k < rows->Zw.cols(); ++k) take_off->apply({rows->Zw.col(k).data(), data});
-  }
+  if (const auto by_run = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours))
+    take_off(*by_run, *rows);
   widen_by_jackknife(*rows, groups);
   std::vector<std::size_t> runs;
   for (std::size_t g = 0; g < in_runs.runs(); ++g) runs.push_back(in_runs.run(g));

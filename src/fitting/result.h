@@ -230,6 +230,13 @@ struct ShownEvidence {
   Evidence evidence;
 };
 
+/// The explanation that the quantity fitted by run differs in one run alone, linearised at the deviations of that fit.
+struct OneRun {
+  std::size_t run;   // index into Dataset::curves
+  double deviation;  // from the other runs, in the solver's numbers
+  double misfit;  // -2 ln L with a spread of this run alone, each run being as likely; comparable with that of the fit
+};
+
 struct FitResult {
   std::string model, model_name, formula;
   Objective objective = Objective::toughness;
@@ -265,6 +272,7 @@ struct FitResult {
   std::optional<ShownEvidence> evidence;   // null where intervals were not requested, or if not found
   std::optional<Consistency> consistency;  // only in reported fits
   std::vector<RunTest> run_tests;          // for curves with loads in two or more runs
+  std::optional<OneRun> one_run{};         // of a trial with a quantity by run and at least four runs
   /// Of a suspect fit: the best, and those that do about as well; of one that is ok: those that its interval includes.
   std::vector<Explanation> explanations;
   /// The cost with the constant free that explains the failed tests, if there is one.
