@@ -22,7 +22,7 @@ struct Case {
 /// What does not explain a sample of many points does not explain all, except in one case of ten thousand: a cause is
 /// tried on a sample of this size first.
 inline constexpr std::size_t kTriedFirst = 200;
-inline bool worth_a_sample(const Points& points) { return points.size() >= 2 * kTriedFirst; }
+inline bool worth_a_sample(const Points& points) { return points.size() >= 5 * kTriedFirst; }
 
 /// At most `enough` of the points, evenly spaced.
 Points thinned(const PointIndices& points, std::size_t enough);
