@@ -31,8 +31,8 @@ double misfit(const FitResult& fit);
 double misfit(double squares, double log_variances, std::size_t points, bool known_errors);
 
 /// The causes that explain the points and have a misfit within `range` of the best. The first one has the least sum of
-/// misfit and implausibility of its size.
-std::vector<Cause> causes(const Case& of, const Points& points, double range);
+/// misfit and implausibility of its size. `before`: the misfit of these points without a cause.
+std::vector<Cause> causes(const Case& of, const Points& points, double before, double range);
 
 /// A contact that is not circular leaves residuals that look like autocorrelated noise of T. Where neighbours
 /// correlate, returns the fit with free shape if it does about as well without correlation and changes the first

@@ -138,7 +138,7 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   const Points tried = of_part ? PointIndices(points.size()).list() : points;
   const FitResult whole = all_points ? fit : refit(some.data, with, tried, &fit.parameters);
   if (!is_found(whole)) return {failed, {}, {}};
-  std::vector<Cause> found = causes(some, tried, kAboutAsWell);
+  std::vector<Cause> found = causes(some, tried, misfit(whole), kAboutAsWell);
   std::erase_if(found, [&](const Cause& one) { return !(misfit(whole) - one.misfit > kAboutAsWell); });
   // A cut of the runs would only leave pull-off loads less to contradict.
   const bool may_slide = !pull_off_departs(fit);
