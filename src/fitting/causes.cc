@@ -398,7 +398,9 @@ std::optional<Cause> shape_instead_of_memory(const Case& of) {
   if (!correlate || !of.fit.budget || of.fit.loss_scale > 0 || !is_found(of.fit)) return std::nullopt;
   const bool exact = std::any_of(of.fit.budget->exact.begin(), of.fit.budget->exact.end(),
                                  [](const ExactConstant& one) { return one.constant == kConstantNames[kShape]; });
-  if (!exact) return std::nullopt;
+  constexpr double kTooLarge = 40;  // an expected misfit: where a shape did better, it was at most 49 too large
+  const auto& expected = of.fit.shape_instead_of_memory;
+  if (!exact || (expected && *expected > misfit(of.fit) + kAboutAsWell + kTooLarge)) return std::nullopt;
   Cause cause = with_free(of, kShape, of.fit.used.list());
   if (!is_explanation(of, cause.fit)) return std::nullopt;
   cause.misfit = misfit(cause.fit);

@@ -140,6 +140,7 @@ Verdict Fitter::find_parameters(const Progress& progress) {
     if (result_.axes > 0) result_.log_variances += log_variances_of_axes(data_, prepared_.used, *result_.errors);
     if (deeper.empty() && purpose_ == Purpose::shown) add_budget(x, verdict);
     if (deeper.empty() && checked()) test_runs(x);
+    if (deeper.empty() && checked()) expect_shape(x);
     if (deeper.empty() && checked()) add_evidence(verdict);
     if (deeper.empty() || again == kMostRestarts) return verdict;
     starting_.guesses.push_back(deeper);

@@ -73,6 +73,7 @@ class Fitter {
   bool refresh_columns(const std::vector<double>& x);
   bool shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest);
   void test_runs(const std::vector<double>& x);
+  void expect_shape(const std::vector<double>& x);
   std::optional<OneRun> one_run(RunRows rows, const Groups& groups, Eigen::Index quantity, double unit) const;
   bool settle_weights(Verdict& verdict);
   Verdict find_robust_minimum(Verdict verdict);

@@ -1,0 +1,32 @@
+// What a contact that is not circular would explain where neighbours correlate.
+#include "fitting/causes.h"
+#include "fitting/curve_objective.h"
+#include "fitting/fitted_errors.h"
+#include "fitting/fitter.h"
+#include "fitting/run_differences.h"
+#include "solver/linear_algebra.h"
+
+namespace mixity {
+
+/// The misfit with independent errors of the present sizes and a free shape, both linearised. Priors are left out, so
+/// that it is rather too small.
+void Fitter::expect_shape(const std::vector<double>& x) {
+  const StandardErrors& errors = *prepared_.errors;
+  const bool curves = prepared_.objective == Objective::curve && data_.has_loads;
+  const bool alone = problem_->residual_count() == prepared_.used.size();  // no rows of axes or pull-off loads
+  if (!curves || !alone || !errors.correlations.any() || errors.runs.any()) return;
+  std::vector<double> innovations(problem_->residual_count()), residuals;
+  if (!static_cast<const CurveObjective&>(*problem_).evaluate_both(x, innovations, residuals)) return;
+  const auto rows = run_rows(data_, options_, prepared_, x, residuals, {std::string(kConstantNames[kShape])}, 1);
+  if (!rows) return;
+  Eigen::MatrixXd J(rows->bare.rows(), rows->bare.cols() + 1);
+  J << rows->bare, rows->Z;
+  const Eigen::VectorXd step = solve_symmetric(J.transpose() * J, -(J.transpose() * as_vector(residuals)));
+  StandardErrors independent = errors;
+  independent.correlations = {};
+  result_.shape_instead_of_memory =
+      misfit((as_vector(residuals) + J * step).squaredNorm(), log_variances(data_, prepared_.used, independent),
+             prepared_.used.size(), problem_->known_errors());
+}
+
+}  // namespace mixity
