@@ -235,7 +235,7 @@ double implausibility(const Case& of, const Cause& cause) {
 
 /// A cause to try.
 struct PossibleCause {
-  double expected_fall;  // of the misfit; infinite if it is not known
+  ExpectedFall expected;
   bool by_run;
   std::function<Cause(const Case&, const Points&)> fit;
 };
@@ -254,17 +254,17 @@ bool falls_short(const FitResult& fit, const PossibleCause& one, const Reached& 
   constexpr double kLeast = 6, kPart = 0.1, kPartByRun = 0.5;
   const double part = !fit.known_errors && one.by_run && best.by_run ? kPartByRun : kPart,
                of_best = std::isfinite(best.expected_fall) ? std::abs(best.fall - best.expected_fall) : 0;
-  return one.expected_fall + range + std::max({kLeast, part * best.fall, of_best}) < best.fall;
+  return one.expected.misfit + range + std::max({kLeast, part * best.fall, of_best}) < best.fall;
 }
 
 /// The candidates with the largest expected fall come first.
 std::vector<PossibleCause> candidates(const Case& of, const Points& points) {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  constexpr ExpectedFall kUnknown{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   constexpr double kAtMost = 3;  // far from its minimum the linearised fall is too small, but not by this factor
   const FitResult& fit = of.fit;
   std::vector<PossibleCause> list;
   for (const Constant constant : suspected_constants(fit)) {
-    if (of.to_beat && misfit(fit) - expected_fall(fit, constant, fit.used.size(), kAtMost) >= *of.to_beat + kNear)
+    if (of.to_beat && misfit(fit) - expected_fall(fit, constant, fit.used.size(), kAtMost).misfit >= *of.to_beat + kNear)
       continue;
     const bool drift = constant == kModulusDrift || constant == kToughnessDrift;
     const bool hidden = (drift && lie_together(fit)) || (constant == kHysteresis && has_course(fit));
@@ -278,8 +278,9 @@ std::vector<PossibleCause> candidates(const Case& of, const Points& points) {
     for (const RunTest& test : differing_quantities(fit))
       list.push_back({expected_fall(fit, test, points.size()), true,
                       [=](const Case& with, const Points& which) { return by_run(with, test.quantity, which); }});
-  std::stable_sort(list.begin(), list.end(),
-                   [](const PossibleCause& x, const PossibleCause& y) { return x.expected_fall > y.expected_fall; });
+  std::stable_sort(list.begin(), list.end(), [](const PossibleCause& x, const PossibleCause& y) {
+    return x.expected.misfit > y.expected.misfit;
+  });
   return list;
 }
 
@@ -330,7 +331,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double before, d
     Cause one = candidate.fit(with_all, points);
     if (!differs(one) || !is_explanation(of, one.fit)) return;
     one.misfit = is_of_one_run(one) ? one.fit.one_run->misfit : misfit(one.fit);
-    if (before - one.misfit > best.fall) best = {before - one.misfit, candidate.expected_fall, candidate.by_run};
+    if (before - one.misfit > best.fall) best = {before - one.misfit, candidate.expected.misfit, candidate.by_run};
     list.push_back(std::move(one));
   };
   // If another model has won, errors need not be estimated for each cause, and differing runs explain nothing.
@@ -341,7 +342,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double before, d
   if (of.to_beat && points.size() == of.fit.used.size()) near.most_misfit = *of.to_beat + kNear;
   const Case near_the_other{of.data, of.fit, near, of.refit, of.to_beat};
   for (const PossibleCause& one : candidates(of, points)) {
-    if (falls_short(of.fit, one, best, range)) continue;
+    if (falls_short(of.fit, one, best, range) || stays_too_large(of.fit, one.expected, points.size())) continue;
     if (of.to_beat)
       consider(by_readings, near_the_other, one);
     else if (one.by_run || (of.fit.known_errors && !many) || !is_hopeless(of.data, one.fit(by_readings, some).fit))
