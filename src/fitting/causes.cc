@@ -247,11 +247,11 @@ struct Reached {
 };
 
 /// Whether a candidate will not come within `range` of the best cause. In 900 simulated experiments (tools/noise,
-/// tools/laboratories) the fall of a cause within 6 of the best was expected to a tenth of the best fall, or as well as
+/// tools/laboratories) the fall of a cause within 6 of the best was expected within 10, or as well as
 /// that of the best. Two quantities that differ by run are an exception where errors are unknown, because correlated
 /// neighbours take up what the wrong one leaves.
 bool falls_short(const FitResult& fit, const PossibleCause& one, const Reached& best, double range) {
-  constexpr double kLeast = 6, kPart = 0.1, kPartByRun = 0.5;
+  constexpr double kLeast = 6, kPart = 0.03, kPartByRun = 0.5;
   const double part = !fit.known_errors && one.by_run && best.by_run ? kPartByRun : kPart,
                of_best = std::isfinite(best.expected_fall) ? std::abs(best.fall - best.expected_fall) : 0;
   return one.expected.misfit + range + std::max({kLeast, part * best.fall, of_best}) < best.fall;

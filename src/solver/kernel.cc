@@ -270,13 +270,23 @@ double Kernel::find_step(double damping) {
   for (Eigen::Index k = 0; k < m; ++k) {
     g[k] = here_.gradient[open_[k]] / here_.slope_size[open_[k]];
     for (Eigen::Index l = 0; l < m; ++l)
-      H(k, l) = here_.hessian(open_[k], open_[l]) / (here_.slope_size[open_[k]] * here_.slope_size[open_[l]]);
+      H(k, l) = (here_.hessian(open_[k], open_[l]) + secant_ * along_[open_[k]] * along_[open_[l]]) /
+                (here_.slope_size[open_[k]] * here_.slope_size[open_[l]]);
     H(k, k) += damping;
   }
   step_ = solve_symmetric(H, -g);
   const double gain = -g.dot(step_);
   for (Eigen::Index k = 0; k < m; ++k) step_[k] /= here_.slope_size[open_[k]];
   return gain;
+}
+
+double Kernel::correct_curvature(const Eigen::VectorXd& step, const Eigen::VectorXd& change) {
+  constexpr double kFarOff = 0.5;  // relative: up to this, Gauss-Newton steps converge at least as fast as by halves
+  along_ = here_.hessian * step;
+  const double expected = step.dot(along_), found = step.dot(change);
+  const bool corrects = found > 0 && expected > 0 && std::abs(found - expected) > kFarOff * expected;
+  secant_ = corrects ? (found - expected) / (expected * expected) : 0;
+  return secant_;
 }
 
 bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
@@ -299,6 +309,8 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
   int undefined = 0;
   double damping = 0, size = stationarity(x, held);
   std::vector<double> next = x;
+  secant_ = 0;
+  along_.setZero(static_cast<Eigen::Index>(x.size()));
   for (int i = 0; i < options_.most_iterations && size > options_.kernel_stationary_of_several; ++i) {
     double gain = find_step(damping);
     for (; reach && too_long(x, *reach) && damping < 1; gain = find_step(damping))
@@ -315,12 +327,15 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     if (usable && !there_.finite && ++undefined > kMostUndefined) break;
     const double roundings = 1e-14 * here_.value;  // for a sum of squares, roughly
     if (!usable || !there_.finite || !(there_.value <= here_.value + roundings)) {
+      const bool undamped = usable && there_.finite && damping == 0 && secant_ == 0;
+      if (undamped && correct_curvature(as_vector(next) - as_vector(x), there_.gradient - here_.gradient) > 0) continue;
       damping = std::max(10 * damping, kFirstDamping);
       if (damping > kMostDamping) break;
       continue;
     }
     std::swap(here_, there_);
     std::swap(x, next);
+    correct_curvature(as_vector(x) - as_vector(next), here_.gradient - there_.gradient);
     damping = damping > 1e-6 ? 0.1 * damping : 0;
     const double before = size;
     size = stationarity(x, held);

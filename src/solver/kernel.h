@@ -68,6 +68,10 @@ class Kernel {
                        const Start* reach);
   /// Whether the step from x is longer than the box.
   bool too_long(const std::vector<double>& x, const Start& reach) const;
+  /// `change`: of the gradient by a step. Where it differs much from what Gauss-Newton's curvature tells, which neglects
+  /// that of the residuals, later steps have the secant's curvature along this one (Dennis & Schnabel 1983, Numerical
+  /// Methods for Unconstrained Optimization, 10.3). Returns secant_.
+  double correct_curvature(const Eigen::VectorXd& step, const Eigen::VectorXd& change);
   /// Sets the damped step of the open parameters; returns half of the decrease of the cost that it predicts.
   double find_step(double damping);
   /// Finds the parameters that can move from x; returns the largest of their relative gradients.
@@ -80,6 +84,8 @@ class Kernel {
   double first_ = 0, rounding_;     // rounding error of |r|
   std::vector<Eigen::Index> open_;  // parameters that can move
   Eigen::VectorXd step_;            // of the open parameters
+  Eigen::VectorXd along_;           // the curvature times the last step
+  double secant_ = 0;               // times along_ along_', added to the curvature
   double enough_ = 0;               // steps that lower the cost by less are not taken
 };
 
