@@ -117,6 +117,22 @@ void Profile::begin(std::size_t k) {
   last_ = best_;
 }
 
+double Profile::reach(std::size_t k, double rise) {
+  const CostValue& cost = kernel_.at(best_.x);
+  if (!cost.finite) return 0;
+  const auto at = static_cast<Eigen::Index>(k);
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < cost.gradient.size(); ++i)
+    if (i != at && cost.slope_size[i] > 0 &&
+        !problem_.parameters()[static_cast<std::size_t>(i)].held_by_bound(best_.x[static_cast<std::size_t>(i)],
+                                                                          cost.gradient[i]))
+      others.push_back(i);
+  const Eigen::VectorXd across = cost.hessian(others, at);
+  const double slope = std::abs(cost.gradient[at]),
+               curvature = cost.hessian(at, at) - across.dot(solve_symmetric(cost.hessian(others, others), across));
+  return rise / (slope + std::sqrt(slope * slope + std::max(curvature, 0.0) * rise));
+}
+
 /// To first order the minimum over the others moves by -H_oo^-1 H_ok per unit of parameter k; the remaining gradient at
 /// the anchor is corrected, too.
 std::vector<double> Profile::along_tangent(const Anchor& anchor, double value) const {
@@ -225,9 +241,10 @@ std::vector<Interval> profile_intervals(const Problem& problem, const Minimum& b
     const FreeParameter& parameter = problem.parameters()[k];
     const double x = best.x[k];
     EndSearch search(best.sum_of_squares, allowance, residual_rounding(problem), options.deeper);
-    // The end of the interval for a parabola. Without a standard error (at a bound) a tiny step, which grows fast.
-    const double step = standard_errors[k] ? *standard_errors[k] * std::sqrt(allowance / variance)
-                                           : std::max(parameter.least_size(), 1e-9 * std::abs(x));
+    // The end of the interval for a parabola; where it has none, a tiny step, which grows fast.
+    double step =
+        standard_errors[k] ? *standard_errors[k] * std::sqrt(allowance / variance) : profile.reach(k, allowance);
+    if (!(step > 0 && std::isfinite(step))) step = std::max(parameter.least_size(), 1e-9 * std::abs(x));
     const auto end = [&](double bound, double direction) {
       if (x == bound) return End{x, parameter.start ? EndStatus::open : EndStatus::at_bound};
       profile.begin(k);

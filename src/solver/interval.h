@@ -40,6 +40,9 @@ class Profile {
   std::optional<Value> operator()(double value, double share = 1);
   /// The same from these parameters, a minimum over the others at another value. Null unless the cost is below `above`.
   std::optional<Value> from(const std::vector<double>& x, double value, double above);
+  /// How far from the minimum the parabola with its slope and curvature along parameter k has risen by that; not a
+  /// positive number where it does not rise.
+  double reach(std::size_t k, double rise);
   /// All parameters at the minimum found last.
   const std::vector<double>& point() const { return x_; }
   /// The cost there with its derivatives, if there are several parameters.

@@ -335,7 +335,8 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     }
     std::swap(here_, there_);
     std::swap(x, next);
-    correct_curvature(as_vector(x) - as_vector(next), here_.gradient - there_.gradient);
+    secant_ = 0;  // damped steps are short ones far from the minimum
+    if (damping == 0) correct_curvature(as_vector(x) - as_vector(next), here_.gradient - there_.gradient);
     damping = damping > 1e-6 ? 0.1 * damping : 0;
     const double before = size;
     size = stationarity(x, held);
