@@ -264,7 +264,8 @@ std::vector<PossibleCause> candidates(const Case& of, const Points& points) {
   const FitResult& fit = of.fit;
   std::vector<PossibleCause> list;
   for (const Constant constant : suspected_constants(fit)) {
-    if (of.to_beat && misfit(fit) - expected_fall(fit, constant, fit.used.size(), kAtMost).misfit >= *of.to_beat + kNear)
+    if (of.to_beat &&
+        misfit(fit) - expected_fall(fit, constant, fit.used.size(), kAtMost).misfit >= *of.to_beat + kNear)
       continue;
     const bool drift = constant == kModulusDrift || constant == kToughnessDrift;
     const bool hidden = (drift && lie_together(fit)) || (constant == kHysteresis && has_course(fit));

@@ -56,8 +56,8 @@ ExpectedFall expected_fall(const FitResult& fit, const RunTest& test, std::size_
 
 bool stays_too_large(const FitResult& fit, const ExpectedFall& fall, std::size_t points) {
   // In 311 simulated explanations (tools/laboratories) chi^2 per point was expected to be 1.4 at most.
-  constexpr double kMore = 1.1;    // the fall, far from the minimum
-  constexpr double kAtMost = 2;    // the factor by which correlated neighbours lower chi^2
+  constexpr double kMore = 1.1;  // the fall, far from the minimum
+  constexpr double kAtMost = 2;  // the factor by which correlated neighbours lower chi^2
   const PartOfFit part(fit, points);
   const double left = part.squares - kMore * fall.chi2;
   return part.known_errors && left > 0 && chi_squared_p_value(left / kAtMost, part.freedom) < kHardly;

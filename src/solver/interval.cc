@@ -14,6 +14,8 @@ namespace {
 
 /// A bound counts as reached at this fraction of its distance from the minimum.
 constexpr double kAtBound = 1e-15;
+/// A step towards an end is only rounding below this fraction of the end's distance from the minimum.
+constexpr double kRounding = 1e-12;
 
 struct End {
   double x;
@@ -77,10 +79,14 @@ End find_end(Profile& profile, const FreeParameter& parameter, double best, doub
     exceeded |= here && !within;
     double next = newton(here);
     const double farthest = bracketed ? outside : best + 4 * (x - best);
-    if (between(next, farthest)) {
-      // Newton's method squares the error
-      if (i > 0 && std::abs(next - x) <= options.interval_step * std::abs(next - best)) return {next, EndStatus::found};
-    } else {
+    const bool inner = between(next, farthest);
+    // Newton's method squares the error. A step within rounding may lead out of the bracket, where x is its end.
+    const bool may_end = here && here->slope * direction > 0 && (inner || exceeded || !bracketed);
+    const bool ends =
+        may_end && std::abs(next - x) <= (inner ? options.interval_step : kRounding) * std::abs(next - best);
+    if (ends && i > 0) return {next, EndStatus::found};
+    if (ends && !inner) continue;  // the first value is less accurate
+    if (!inner) {
       // The cost inside does not rise to that outside: there another minimum over the others may be lower.
       if (within && exceeded && all_inside.size() > 1) again = profile.from(all_inside, outside, cost_outside);
       next = again ? outside : bracketed ? 0.5 * (inside + outside) : farthest;

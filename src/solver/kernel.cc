@@ -280,13 +280,13 @@ double Kernel::find_step(double damping) {
   return gain;
 }
 
-double Kernel::correct_curvature(const Eigen::VectorXd& step, const Eigen::VectorXd& change) {
-  constexpr double kFarOff = 0.5;  // relative: up to this, Gauss-Newton steps converge at least as fast as by halves
+bool Kernel::add_curvature(const Eigen::VectorXd& step, const Eigen::VectorXd& change) {
+  constexpr double kMore = 1.5;  // times the expected one: up to this, undamped steps at least halve the distance
   along_ = here_.hessian * step;
   const double expected = step.dot(along_), found = step.dot(change);
-  const bool corrects = found > 0 && expected > 0 && std::abs(found - expected) > kFarOff * expected;
-  secant_ = corrects ? (found - expected) / (expected * expected) : 0;
-  return secant_;
+  const bool more = expected > 0 && found > kMore * expected;
+  secant_ = more ? (found - expected) / (expected * expected) : 0;
+  return more;
 }
 
 bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
@@ -304,6 +304,7 @@ bool Kernel::too_long(const std::vector<double>& x, const Start& reach) const {
 Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weights, std::optional<std::size_t> held,
                              const Start* reach) {
   constexpr double kFirstDamping = 1e-4, kMostDamping = 1e16;
+  constexpr double kNear = 0.1;  // of the cost: what an undamped step may gain close to the minimum
   // Steps to where the problem is not defined, when a descent creeps along that edge.
   constexpr int kMostUndefined = 200;
   int undefined = 0;
@@ -316,6 +317,8 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     for (; reach && too_long(x, *reach) && damping < 1; gain = find_step(damping))
       damping = std::max(10 * damping, kFirstDamping);
     if (damping == 0 && gain >= 0 && gain <= enough_) return {x, here_.value, size, true};
+    // Farther off, a secant may lead to another minimum.
+    const bool near = damping == 0 && gain < kNear * here_.value;
     next = x;
     for (Eigen::Index k = 0; k < step_.size(); ++k) {
       const auto at = static_cast<std::size_t>(open_[k]);
@@ -327,16 +330,16 @@ Minimum Kernel::gauss_newton(std::vector<double> x, std::span<const double> weig
     if (usable && !there_.finite && ++undefined > kMostUndefined) break;
     const double roundings = 1e-14 * here_.value;  // for a sum of squares, roughly
     if (!usable || !there_.finite || !(there_.value <= here_.value + roundings)) {
-      const bool undamped = usable && there_.finite && damping == 0 && secant_ == 0;
-      if (undamped && correct_curvature(as_vector(next) - as_vector(x), there_.gradient - here_.gradient) > 0) continue;
+      const bool first = usable && there_.finite && near && secant_ == 0;
+      if (first && add_curvature(as_vector(next) - as_vector(x), there_.gradient - here_.gradient)) continue;
       damping = std::max(10 * damping, kFirstDamping);
       if (damping > kMostDamping) break;
       continue;
     }
     std::swap(here_, there_);
     std::swap(x, next);
-    secant_ = 0;  // damped steps are short ones far from the minimum
-    if (damping == 0) correct_curvature(as_vector(x) - as_vector(next), here_.gradient - there_.gradient);
+    secant_ = 0;
+    if (near) add_curvature(as_vector(x) - as_vector(next), here_.gradient - there_.gradient);
     damping = damping > 1e-6 ? 0.1 * damping : 0;
     const double before = size;
     size = stationarity(x, held);

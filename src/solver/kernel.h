@@ -68,10 +68,10 @@ class Kernel {
                        const Start* reach);
   /// Whether the step from x is longer than the box.
   bool too_long(const std::vector<double>& x, const Start& reach) const;
-  /// `change`: of the gradient by a step. Where it differs much from what Gauss-Newton's curvature tells, which neglects
-  /// that of the residuals, later steps have the secant's curvature along this one (Dennis & Schnabel 1983, Numerical
-  /// Methods for Unconstrained Optimization, 10.3). Returns secant_.
-  double correct_curvature(const Eigen::VectorXd& step, const Eigen::VectorXd& change);
+  /// `change`: of the gradient by a step. Where it is much more than Gauss-Newton's curvature tells, which neglects
+  /// that of the residuals, steps swing about the minimum: the next one has the secant's curvature along this one
+  /// (Dennis & Schnabel 1983, Numerical Methods for Unconstrained Optimization, 10.3), and true is returned.
+  bool add_curvature(const Eigen::VectorXd& step, const Eigen::VectorXd& change);
   /// Sets the damped step of the open parameters; returns half of the decrease of the cost that it predicts.
   double find_step(double damping);
   /// Finds the parameters that can move from x; returns the largest of their relative gradients.

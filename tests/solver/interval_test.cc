@@ -69,6 +69,32 @@ TEST(ProfileInterval, StopsAtABoundAndIsOpenWhereAWideRangeEnds) {
 }
 
 /// The others are held by bounds of theirs on the way: the profile is a parabola with a bend, then another.
+TEST(ProfileInterval, FromABoundBeginsNearItsEnd) {
+  // The slope would be negative: at 0 it has no standard error, and the cost rises with it from there at once.
+  int evaluations = 0;
+  const auto problem = problem_of<2>(7, {unbounded("level", 0), {"slope", 0, 1e6}}, {norm(kLine), true},
+                                     [&](const auto* b, std::size_t i) {
+                                       evaluations += i == 0;
+                                       return b[0] + b[1] * kTime[i] + kLine[i];
+                                     });
+  Fitted fit = fitted(problem, {0, 1});
+  EXPECT_EQ(fit.best.x[1], 0);
+  const auto evaluations_of = [&] {
+    evaluations = 0;
+    profile_intervals(problem, fit.best, 0.95, 1, fit.errors);
+    return evaluations;
+  };
+  fit.errors[1] = 0.035;  // where the end is
+  const int of_error = evaluations_of();
+  fit.errors[1].reset();
+  EXPECT_LE(evaluations_of(), of_error);
+  const Interval found = interval(problem, fit, 1, 1);
+  // without the other parameter: 28 s^2 + 28.4 s = 1
+  const double end = 2 / (28.4 + std::sqrt(28.4 * 28.4 + 4 * 28));
+  EXPECT_NEAR(found.high, end, 1e-9 * end);
+  EXPECT_EQ(found.low_status, EndStatus::at_bound);
+}
+
 TEST(ProfileInterval, PassesWhereAnotherParameterReachesItsBound) {
   const auto problem = line({"level", 0.9, 1.1}, unbounded("slope", 0));
   const Fitted fit = fitted(problem, {1, 0});

@@ -49,6 +49,30 @@ TEST(Kernel, EndsWhereCeresDoesWithSeveral) {
     expect_same(Kernel(problem).descend(start), descend(problem, start));
 }
 
+/// (x + 1, c x^2 + x - 1) of Dennis & Schnabel 1983, 10.2, beside y: at the minimum x = 0 an undamped Gauss-Newton step
+/// multiplies the distance by c. Counts its evaluations.
+auto swinging(double c, int& evaluations) {
+  return problem_of<2>(3, {unbounded("x", 0), unbounded("y", 0)}, {1, true},
+                       [c, &evaluations](const auto* b, std::size_t i) {
+                         evaluations += i == 0;
+                         if (i == 0) return b[0] + 1.0;
+                         return i == 1 ? c * b[0] * b[0] + b[0] - 1.0 : b[1] - b[0];
+                       });
+}
+
+TEST(Kernel, ConvergesFastWhereGaussNewtonStepsSwing) {
+  // By c alone, 1e-10 of the start would take 2 ln(10^10)/-ln 0.97 = 1,500 steps; by 1.2 they lead away.
+  for (const double c : {-0.97, -1.2}) {
+    int evaluations = 0;
+    const auto problem = swinging(c, evaluations);
+    const auto found = Kernel(problem).descend({{0.1, 0.5}});
+    ASSERT_TRUE(found && found->stationary) << c;
+    EXPECT_NEAR(found->x[0], 0, 1e-9) << c;
+    EXPECT_NEAR(found->x[1], 0, 1e-9) << c;
+    EXPECT_LT(evaluations, 40) << c;
+  }
+}
+
 TEST(Kernel, EndsAtTheBoundWhereCeresDoes) {
   const auto one = decay<1>({{"rate", 1, 4}});
   expect_same(Kernel(one).descend({{2.0}}), descend(one, {2}));
