@@ -246,10 +246,10 @@ struct Reached {
   bool by_run = false;
 };
 
-/// Whether a candidate will not come within `range` of the best cause. In 900 simulated experiments (tools/noise,
-/// tools/laboratories) the fall of a cause within 6 of the best was expected within 10, or as well as
-/// that of the best. Two quantities that differ by run are an exception where errors are unknown, because correlated
-/// neighbours take up what the wrong one leaves.
+/// Whether a cause will not come within `range` of the best one so far. In 900 simulated experiments (tools/noise,
+/// tools/laboratories) the expected fall of causes that did was too small by less than 10, or by no more than that of
+/// the best. An exception are two quantities that differ by run where errors are unknown: correlated neighbours take up
+/// what the wrong one leaves.
 bool falls_short(const FitResult& fit, const PossibleCause& one, const Reached& best, double range) {
   constexpr double kLeast = 6, kPart = 0.03, kPartByRun = 0.5;
   const double part = !fit.known_errors && one.by_run && best.by_run ? kPartByRun : kPart,
@@ -257,8 +257,8 @@ bool falls_short(const FitResult& fit, const PossibleCause& one, const Reached& 
   return one.expected.misfit + range + std::max({kLeast, part * best.fall, of_best}) < best.fall;
 }
 
-/// The candidates with the largest expected fall come first.
-std::vector<PossibleCause> candidates(const Case& of, const Points& points) {
+/// All that the tests suspect; those with the largest expected fall of the misfit come first.
+std::vector<PossibleCause> possible_causes(const Case& of, const Points& points) {
   constexpr ExpectedFall kUnknown{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   constexpr double kAtMost = 3;  // far from its minimum the linearised fall is too small, but not by this factor
   const FitResult& fit = of.fit;
@@ -326,13 +326,13 @@ std::vector<Cause> causes(const Case& of, const Points& points, double before, d
   };
   std::vector<Cause> list;
   Reached best;
-  const auto consider = [&](const Case& with, const Case& with_all, const PossibleCause& candidate) {
+  const auto consider = [&](const Case& with, const Case& with_all, const PossibleCause& possible) {
     // Few points may show no difference between the runs where all of them do.
-    if (many && !is_explanation(of, candidate.fit(with, some).fit)) return;
-    Cause one = candidate.fit(with_all, points);
+    if (many && !is_explanation(of, possible.fit(with, some).fit)) return;
+    Cause one = possible.fit(with_all, points);
     if (!differs(one) || !is_explanation(of, one.fit)) return;
     one.misfit = is_of_one_run(one) ? one.fit.one_run->misfit : misfit(one.fit);
-    if (before - one.misfit > best.fall) best = {before - one.misfit, candidate.expected.misfit, candidate.by_run};
+    if (before - one.misfit > best.fall) best = {before - one.misfit, possible.expected.misfit, possible.by_run};
     list.push_back(std::move(one));
   };
   // If another model has won, errors need not be estimated for each cause, and differing runs explain nothing.
@@ -342,7 +342,7 @@ std::vector<Cause> causes(const Case& of, const Points& points, double before, d
   FitOptions near = bare;
   if (of.to_beat && points.size() == of.fit.used.size()) near.most_misfit = *of.to_beat + kNear;
   const Case near_the_other{of.data, of.fit, near, of.refit, of.to_beat};
-  for (const PossibleCause& one : candidates(of, points)) {
+  for (const PossibleCause& one : possible_causes(of, points)) {
     if (falls_short(of.fit, one, best, range) || stays_too_large(of.fit, one.expected, points.size())) continue;
     if (of.to_beat)
       consider(by_readings, near_the_other, one);
@@ -400,7 +400,7 @@ std::optional<Cause> shape_instead_of_memory(const Case& of) {
   if (!correlate || !of.fit.budget || of.fit.loss_scale > 0 || !is_found(of.fit)) return std::nullopt;
   const bool exact = std::any_of(of.fit.budget->exact.begin(), of.fit.budget->exact.end(),
                                  [](const ExactConstant& one) { return one.constant == kConstantNames[kShape]; });
-  constexpr double kTooLarge = 40;  // an expected misfit: where a shape did better, it was at most 49 too large
+  constexpr double kTooLarge = 40;  // the expected misfit of a shape; one of 18 was more, but below that of the memory
   const auto& expected = of.fit.shape_instead_of_memory;
   if (!exact || (expected && *expected > misfit(of.fit) + kAboutAsWell + kTooLarge)) return std::nullopt;
   Cause cause = with_free(of, kShape, of.fit.used.list());

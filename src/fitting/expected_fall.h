@@ -1,4 +1,4 @@
-// By how much a cause of failed tests improves a fit, foretold from its tests without a further fit.
+// By how much a cause of failed tests is expected to improve a fit, from its tests alone.
 #pragma once
 
 #include <cstddef>

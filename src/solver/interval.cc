@@ -123,19 +123,23 @@ void Profile::begin(std::size_t k) {
   last_ = best_;
 }
 
+std::vector<Eigen::Index> Profile::others(std::size_t k, const std::vector<double>& x, const CostValue& cost) const {
+  std::vector<Eigen::Index> list;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (const auto at = static_cast<Eigen::Index>(i); i != k && cost.finite && cost.slope_size[at] > 0 &&
+                                                      !problem_.parameters()[i].held_by_bound(x[i], cost.gradient[at]))
+      list.push_back(at);
+  return list;
+}
+
 double Profile::reach(std::size_t k, double rise) {
   const CostValue& cost = kernel_.at(best_.x);
   if (!cost.finite) return 0;
   const auto at = static_cast<Eigen::Index>(k);
-  std::vector<Eigen::Index> others;
-  for (Eigen::Index i = 0; i < cost.gradient.size(); ++i)
-    if (i != at && cost.slope_size[i] > 0 &&
-        !problem_.parameters()[static_cast<std::size_t>(i)].held_by_bound(best_.x[static_cast<std::size_t>(i)],
-                                                                          cost.gradient[i]))
-      others.push_back(i);
-  const Eigen::VectorXd across = cost.hessian(others, at);
+  const std::vector<Eigen::Index> open = others(k, best_.x, cost);
+  const Eigen::VectorXd across = cost.hessian(open, at);
   const double slope = std::abs(cost.gradient[at]),
-               curvature = cost.hessian(at, at) - across.dot(solve_symmetric(cost.hessian(others, others), across));
+               curvature = cost.hessian(at, at) - across.dot(solve_symmetric(cost.hessian(open, open), across));
   return rise / (slope + std::sqrt(slope * slope + std::max(curvature, 0.0) * rise));
 }
 
@@ -144,20 +148,14 @@ double Profile::reach(std::size_t k, double rise) {
 std::vector<double> Profile::along_tangent(const Anchor& anchor, double value) const {
   const auto k = static_cast<Eigen::Index>(k_);
   std::vector<double> x = anchor.x;
-  std::vector<Eigen::Index> others;
-  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(x.size()); ++i) {
-    const FreeParameter& parameter = problem_.parameters()[static_cast<std::size_t>(i)];
-    if (i != k && anchor.cost.finite && anchor.cost.slope_size[i] > 0 &&
-        !parameter.held_by_bound(x[static_cast<std::size_t>(i)], anchor.cost.gradient[i]))
-      others.push_back(i);
-  }
+  const std::vector<Eigen::Index> open = others(k_, x, anchor.cost);
   const Eigen::VectorXd shift =
-      solve_symmetric(anchor.cost.hessian(others, others),
-                      anchor.cost.hessian(others, k) * (anchor.x[k_] - value) - anchor.cost.gradient(others));
+      solve_symmetric(anchor.cost.hessian(open, open),
+                      anchor.cost.hessian(open, k) * (anchor.x[k_] - value) - anchor.cost.gradient(open));
   x[k_] = value;
   if (shift.allFinite())
-    for (std::size_t i = 0; i < others.size(); ++i)
-      x[static_cast<std::size_t>(others[i])] += shift[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < open.size(); ++i)
+      x[static_cast<std::size_t>(open[i])] += shift[static_cast<Eigen::Index>(i)];
   return x;
 }
 

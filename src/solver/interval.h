@@ -54,6 +54,8 @@ class Profile {
     std::vector<double> x;
     CostValue cost;
   };
+  /// The parameters beside k that can move from x and matter there.
+  std::vector<Eigen::Index> others(std::size_t k, const std::vector<double>& x, const CostValue& cost) const;
   /// The others to first order from the anchor; not finite where they cannot be solved for.
   std::vector<double> along_tangent(const Anchor& anchor, double value) const;
   /// The others by interpolation between the nearest minima; the tangent's if that is not clearly better.

@@ -1,4 +1,4 @@
-// What tests of a fit foretell is what the fit with the cause then finds; causes that fall short are not fitted.
+// The expected improvement is that of the fit with the cause; causes that fall short are not fitted.
 #include "fitting/expected_fall.h"
 
 #include <gtest/gtest.h>
