@@ -272,10 +272,10 @@ struct FitResult {
   std::optional<ShownEvidence> evidence;   // null where intervals were not requested, or if not found
   std::optional<Consistency> consistency;  // only in reported fits
   std::vector<RunTest> run_tests;          // for curves with loads in two or more runs
-  /// Where neighbours correlate: the misfit (causes.h) that independent errors and a free shape of the contact would have
-  /// according to the linearised model.
+  /// Where neighbours correlate: the misfit (causes.h) that independent errors and a free shape of the contact would
+  /// have according to the linearised model.
   std::optional<double> shape_instead_of_memory{};
-  std::optional<OneRun> one_run{};         // of a trial with a quantity by run and at least four runs
+  std::optional<OneRun> one_run{};  // of a trial with a quantity by run and at least four runs
   /// Of a suspect fit: the best, and those that do about as well; of one that is ok: those that its interval includes.
   std::vector<Explanation> explanations;
   /// The cost with the constant free that explains the failed tests, if there is one.
