@@ -65,6 +65,13 @@ Message remedy_of(Constant constant) {
   return Remedy::set("free", std::string(kConstantNames[constant]));
 }
 
+Cause fitted(const Case& of, Cause::Kind kind, std::string name, Message remedy, FitOptions options,
+             const Points& points) {
+  options.explanation_only = true;
+  FitResult fit = of.refit(of.data, options, points, &of.fit.parameters);
+  return {kind, std::move(name), {}, {}, std::move(remedy), points, std::move(fit), 0};
+}
+
 constexpr std::string_view kStiffness = "normal_stiffness";
 
 }  // namespace
@@ -77,29 +84,14 @@ std::string hysteresis_text(double value) {
 Cause with_free(const Case& of, Constant constant, const Points& points) {
   FitOptions options = of.options;
   options.free.push_back(constant);
-  options.explanation_only = true;
-  return {Cause::Kind::constant,
-          std::string(kConstantNames[constant]),
-          {},
-          {},
-          remedy_of(constant),
-          points,
-          of.refit(of.data, options, points, &of.fit.parameters),
-          0};
+  return fitted(of, Cause::Kind::constant, std::string(kConstantNames[constant]), remedy_of(constant),
+                std::move(options), points);
 }
 
 Cause by_run(const Case& of, const std::string& quantity, const Points& points) {
   FitOptions options = of.options;
   options.by_run.push_back(quantity);
-  options.explanation_only = true;
-  return {Cause::Kind::runs,
-          quantity,
-          {},
-          {},
-          Remedy::set("by_run", quantity),
-          points,
-          of.refit(of.data, options, points, &of.fit.parameters),
-          0};
+  return fitted(of, Cause::Kind::runs, quantity, Remedy::set("by_run", quantity), std::move(options), points);
 }
 
 Cause with_stiffness(const Case& of, const Points& points) {

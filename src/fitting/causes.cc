@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
 #include "fitting/cause_fits.h"
@@ -94,7 +93,6 @@ bool falls_short(const FitResult& fit, const PossibleCause& one, const Reached& 
 
 /// All that the tests suspect; those with the largest expected fall of the misfit come first.
 std::vector<PossibleCause> possible_causes(const Case& of, const Points& points) {
-  constexpr ExpectedFall kUnknown{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   constexpr double kAtMost = 3;  // far from its minimum the linearised fall is too small, but not by this factor
   const FitResult& fit = of.fit;
   std::vector<PossibleCause> list;
@@ -104,11 +102,11 @@ std::vector<PossibleCause> possible_causes(const Case& of, const Points& points)
       continue;
     const bool drift = constant == kModulusDrift || constant == kToughnessDrift;
     const bool hidden = (drift && lie_together(fit)) || (constant == kHysteresis && has_course(fit));
-    list.push_back({hidden ? kUnknown : expected_fall(fit, constant, points.size()), false,
+    list.push_back({hidden ? kUnknownFall : expected_fall(fit, constant, points.size()), false,
                     [=](const Case& with, const Points& which) { return with_free(with, constant, which); }});
   }
   if (of.to_beat) return list;
-  if (of.data.holds_approach()) list.push_back({kUnknown, false, with_stiffness});
+  if (of.data.holds_approach()) list.push_back({kUnknownFall, false, with_stiffness});
   // A course common to all runs is not a difference between them.
   if (!has_course(fit) && fit.rows() == fit.used.size())  // by_run knows areas alone
     for (const RunTest& test : differing_quantities(fit))

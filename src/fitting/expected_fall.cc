@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fitting/explanations.h"
 #include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
-
-constexpr double kNotTold = std::numeric_limits<double>::infinity();
 
 /// The numbers of a fit to a part of its points.
 struct PartOfFit {
@@ -24,7 +21,7 @@ struct PartOfFit {
   /// The fall of -2 ln L if chi^2 falls by so much.
   double misfit(double chi2) const {
     if (known_errors) return chi2;
-    return chi2 < freedom ? -rows * std::log1p(-chi2 / freedom) : kNotTold;
+    return chi2 < freedom ? -rows * std::log1p(-chi2 / freedom) : kUnknownFall.misfit;
   }
 
   bool known_errors;
@@ -41,7 +38,7 @@ ExpectedFall expected_fall(const FitResult& fit, Constant constant, std::size_t 
         const double chi2 = times * part.share * one.score->fall;
         return {chi2, part.misfit(chi2)};
       }
-  return {kNotTold, kNotTold};
+  return kUnknownFall;
 }
 
 ExpectedFall expected_fall(const FitResult& fit, const RunTest& test, std::size_t points) {

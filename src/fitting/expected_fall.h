@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "fitting/constants.h"
 #include "fitting/result.h"
@@ -10,8 +11,11 @@ namespace mixity {
 
 struct ExpectedFall {
   double chi2;    // of the sum of squares in units of the errors' scatter
-  double misfit;  // of -2 ln L (causes.h); infinite if the tests do not tell it
+  double misfit;  // of -2 ln L (causes.h)
 };
+/// If the tests do not tell it.
+inline constexpr ExpectedFall kUnknownFall{std::numeric_limits<double>::infinity(),
+                                           std::numeric_limits<double>::infinity()};
 
 /// Once the constant is free, from its score test. `points`: how many of the fit's points, evenly chosen, are fitted;
 /// `times`: a factor on the fall of chi^2.

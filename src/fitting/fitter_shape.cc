@@ -19,14 +19,18 @@ void Fitter::expect_shape(const std::vector<double>& x) {
   if (!static_cast<const CurveObjective&>(*problem_).evaluate_both(x, innovations, residuals)) return;
   const auto rows = run_rows(data_, options_, prepared_, x, residuals, {std::string(kConstantNames[kShape])}, 1);
   if (!rows) return;
-  Eigen::MatrixXd J(rows->bare.rows(), rows->bare.cols() + 1);
-  J << rows->bare, rows->Z;
-  const Eigen::VectorXd step = solve_symmetric(J.transpose() * J, -(J.transpose() * as_vector(residuals)));
+  const Eigen::MatrixXd &J = rows->bare, &Z = rows->Z;
+  const auto r = as_vector(residuals);
+  const Eigen::Index p = J.cols();
+  Eigen::MatrixXd H(p + 1, p + 1);
+  H << J.transpose() * J, J.transpose() * Z, Z.transpose() * J, Z.transpose() * Z;
+  Eigen::VectorXd gradient(p + 1);
+  gradient << J.transpose() * r, Z.transpose() * r;
+  const double squares = r.squaredNorm() - gradient.dot(solve_symmetric(H, gradient));
   StandardErrors independent = errors;
   independent.correlations = {};
-  result_.shape_instead_of_memory =
-      misfit((as_vector(residuals) + J * step).squaredNorm(), log_variances(data_, prepared_.used, independent),
-             prepared_.used.size(), problem_->known_errors());
+  result_.shape_instead_of_memory = misfit(squares, log_variances(data_, prepared_.used, independent),
+                                           prepared_.used.size(), problem_->known_errors());
 }
 
 }  // namespace mixity
