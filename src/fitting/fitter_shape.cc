@@ -1,9 +1,9 @@
 // What a contact that is not circular would explain where neighbours correlate.
 #include "fitting/causes.h"
 #include "fitting/curve_objective.h"
-#include "fitting/fitted_errors.h"
 #include "fitting/fitter.h"
 #include "fitting/run_differences.h"
+#include "fitting/whitening.h"
 #include "solver/linear_algebra.h"
 
 namespace mixity {
@@ -27,10 +27,9 @@ void Fitter::expect_shape(const std::vector<double>& x) {
   Eigen::VectorXd gradient(p + 1);
   gradient << J.transpose() * r, Z.transpose() * r;
   const double squares = r.squaredNorm() - gradient.dot(solve_symmetric(H, gradient));
-  StandardErrors independent = errors;
-  independent.correlations = {};
-  result_.shape_instead_of_memory = misfit(squares, log_variances(data_, prepared_.used, independent),
-                                           prepared_.used.size(), problem_->known_errors());
+  const auto whitening = whitening_of(data_, prepared_.used, errors);
+  const double log_variances = result_.log_variances - (whitening ? whitening->log_determinant() : 0);
+  result_.shape_instead_of_memory = misfit(squares, log_variances, prepared_.used.size(), problem_->known_errors());
 }
 
 }  // namespace mixity
