@@ -29,26 +29,22 @@ class Distances {
     for (std::size_t from = 0; from < n; from += kBlock) {
       const std::size_t count = std::min(kBlock, n - from);
       if (!set_points(block_, points_, from, count)) return false;
-      const bool nearby = begin_nearby(from, count);
-      if (nearby) run_block<Begin::nearby>(family_, kSteps, true, block_, result_);
-      if (!nearby || !all_sure())
-        run_block<Begin::at_the_point>(family_, search_ == Search::rough ? 0 : kSteps, derivatives_, block_, result_);
-      if (all_inside()) {
-        if (!write_all(from, count)) return false;
-        continue;
+      open_ = count;
+      is_open_.fill(true);
+      if (begin_nearby(from, count)) {
+        run_block<Begin::nearby>(family_, kSteps, derivatives_, block_, result_);
+        if (!write_nearest(from, count)) return false;
+        if (open_ == 0) continue;
       }
-      for (std::size_t slot = 0; slot < count; ++slot) {
-        const bool settled =
-            block_.settled[slot] > 0 && result_.on_curve[slot] > 0 && std::isfinite(result_.distance[slot]);
-        if (result_.sure[slot] > 0 || search_ == Search::rough || (settled && search_ == Search::local)) {
-          if (!write(block_, result_, slot, from + slot)) return false;
-        } else {
-          const double distance = settled ? result_.distance[slot] : std::numeric_limits<double>::infinity();
-          left_.push_back({from + slot, {block_.T[slot], block_.A[slot], distance}, block_.at_end[slot] > 0});
-        }
-      }
+      run_block<Begin::at_the_point>(family_, search_ == Search::rough ? 0 : kSteps, derivatives_, block_, result_);
+      if (!write_nearest(from, count)) return false;
+      for (std::size_t slot = 0; open_ > 0 && slot < count; ++slot)
+        if (is_open_[slot])
+          left_.push_back({from + slot,
+                           {block_.T[slot], block_.A[slot],
+                            is_settled(slot) ? result_.distance[slot] : std::numeric_limits<double>::infinity()}});
     }
-    if (!left_.empty() && !family_.uncoupled && !search_curves()) return false;
+    if (!left_.empty() && !family_.uncoupled) search_curves();
     for (std::size_t from = 0; from < left_.size(); from += kBlock)
       if (!finish(from, std::min(kBlock, left_.size() - from))) return false;
     return true;
@@ -59,7 +55,6 @@ class Distances {
   struct Left {
     std::size_t index;
     Place place;
-    bool at_end, is_nearest = false;
   };
 
   /// Takes the caller's starting points. False if a point of the block has none.
@@ -97,65 +92,74 @@ class Distances {
     block_.settled[slot] = block_.at_end[slot] = 0;
   }
 
+  bool is_settled(std::size_t slot) const {
+    return block_.settled[slot] > 0 && result_.on_curve[slot] > 0 && std::isfinite(result_.distance[slot]);
+  }
+
+  /// Writes the open points of the block whose places are nearest, or need not be, and closes them.
+  bool write_nearest(std::size_t from, std::size_t count) {
+    if (open_ == count && all_inside()) {
+      open_ = 0;
+      return write_all(from, count);
+    }
+    for (std::size_t slot = 0; slot < count; ++slot) {
+      if (!is_open_[slot]) continue;
+      const bool enough = search_ == Search::rough || (search_ == Search::local && is_settled(slot));
+      if (!(result_.sure[slot] > 0 || enough || is_nearest(slot))) continue;
+      if (!write(block_, result_, slot, from + slot)) return false;
+      is_open_[slot] = false;
+      --open_;
+    }
+    return true;
+  }
+
+  /// The outline of the curve of a load.
+  const std::vector<PlanePlace>& outline(double P) {
+    if (!table_) table_.emplace(family_);
+    if (P != P_of_outline_) {
+      P_of_outline_ = P;
+      const CurveBounds ends = curve_bounds(family_, P);
+      table_->set_load(P, {ends.T, ends.A});
+    }
+    return table_->places();
+  }
+
   /// Whether the place that was found is the nearest: the outline approaches the point there and turns little,
   /// elsewhere it stays farther away, and the distance has a clear minimum. Of laws whose curves bend on no smaller
   /// scale than that of the outline's nodes.
-  bool is_nearest(const Left& left, const std::vector<Approach>& found) {
+  bool is_nearest(std::size_t slot) {
     constexpr double kClear = 0.3;  // of the second derivative that the distance from a straight line has
     if constexpr (HasPackedForm<Law>) {
-      if (!std::isfinite(left.place.distance) || left.at_end || found.empty()) return false;
-      set_slot(0, left);
-      const std::vector<PlanePlace>& outline = table_->places();
-      const double per_T = block_.per_T[0], per_A = block_.per_A[0];
-      const PlanePlace point{std::abs(points_.T[left.index]), points_.A[left.index]};
-      const auto elsewhere = [&](const Approach& one) {
-        return table_->is_along_rays() ? least_distance(outline, one.segment, point, per_T, per_A)
-                                       : one.distance - size_of(outline, one.segment, per_T, per_A);
-      };
-      const Turn turn = turn_of(outline, found[0].segment, per_T, per_A);
-      if (!(left.place.A <= turn.highest && left.place.A >= turn.lowest && turn.sine < 0.5)) return false;
-      for (std::size_t k = 1; k < found.size(); ++k)
-        if (!(elsewhere(found[k]) > left.place.distance)) return false;
-      const Local q = local_form(family_, block_, 0);
-      const double least = curvature(q);
+      if (family_.uncoupled || !is_settled(slot) || block_.at_end[slot] > 0) return false;
+      const double least = result_.curvature[slot], distance = result_.distance[slot], A = block_.A[slot];
+      if (!(least > kClear)) return false;
+      const PlanePlace point{block_.T_point[slot], block_.A_point[slot]};
+      const double per_T = block_.per_T[slot], per_A = block_.per_A[slot], reach = distance * block_.sigma_A[slot];
+      const std::vector<PlanePlace>& all = outline(block_.P[slot]);
+      // the rest of the curve is farther away in A alone
+      const std::span<const PlanePlace> part = nodes_of_areas(all, point.A - reach, point.A + reach);
+      approaches(part, point, per_T, per_A, kApproaches, segments_, near_);
+      if (near_.empty()) return false;
+      const int before = static_cast<int>(part.data() - all.data()), last = static_cast<int>(part.size()) - 2;
+      const Turn turn = turn_of(all, before + near_[0].segment, per_T, per_A);
+      if (!(A <= turn.highest && A >= turn.lowest && turn.sine < 0.5)) return false;
+      for (std::size_t k = 1; k < near_.size(); ++k) {
+        const int segment = near_[k].segment, of_all = before + segment;
+        if ((segment == 0 && before > 0) || (segment == last && of_all < table_->last() - 1)) continue;
+        const double elsewhere = table_->is_along_rays() ? least_distance(all, of_all, point, per_T, per_A)
+                                                         : near_[k].distance - size_of(all, of_all, per_T, per_A);
+        if (!(elsewhere > distance)) return false;
+      }
       // beyond the convex side of the curve no other place is near
-      return least > kClear && (least >= 1 || (1 - kClear) * turn.radius > 2 * left.place.distance);
+      return least >= 1 || (1 - kClear) * turn.radius > 2 * distance;
     }
     return false;
-  }
-
-  void set_slot(std::size_t slot, const Left& left) {
-    set_point(block_, slot, points_, left.index);
-    block_.T[slot] = left.place.T;
-    block_.A[slot] = left.place.A;
-    block_.settled[slot] = 1;
-    block_.at_end[slot] = 0;
-  }
-
-  /// Writes points whose places are nearest.
-  bool write_nearest(const std::vector<Left>& list) {
-    for (std::size_t from = 0; from < list.size(); from += kBlock) {
-      const std::size_t count = std::min(kBlock, list.size() - from);
-      for (std::size_t slot = 0; slot < kBlock; ++slot) set_slot(slot, list[from + std::min(slot, count - 1)]);
-      measure_block(family_, derivatives_, block_, result_);
-      for (std::size_t slot = 0; slot < count; ++slot)
-        if (!write(block_, result_, slot, list[from + slot].index)) return false;
-    }
-    return true;
   }
 
   /// Newton's method from a known point of the curve, where it has not converged yet. A global search also starts from
   /// each part of the curve's outline that comes near the measured point, and from both ends of that part, since there
   /// may be two near points beside a fold. A part much nearer than what was found is searched by golden section.
-  bool search_curves() {
-    if (search_ == Search::global) table_.emplace(family_);
-    double P = std::numeric_limits<double>::quiet_NaN();
-    const auto set_load = [&](double load) {
-      if (load == P) return;
-      P = load;
-      const CurveBounds ends = curve_bounds(family_, P);
-      table_->set_load(P, {ends.T, ends.A});
-    };
+  void search_curves() {
     std::vector<Start> all;
     std::vector<Starts> of_points;
     for (Left& left : left_) {
@@ -166,20 +170,14 @@ class Distances {
         const Place known = known_place(family_, block_, 0);
         all.push_back({i, {known.T, known.A}});
       }
-      if (table_) {
-        set_load(points_.P[i]);
-        const std::vector<PlanePlace>& outline = table_->places();
-        approaches(outline, {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i], 1 / points_.sigma_A[i],
+      if (search_ == Search::global) {
+        const std::vector<PlanePlace>& nodes = outline(points_.P[i]);
+        approaches(nodes, {std::abs(points_.T[i]), points_.A[i]}, 1 / points_.sigma_T[i], 1 / points_.sigma_A[i],
                    kApproaches, segments_, starts.found);
-        if (is_nearest(left, starts.found)) {
-          left.is_nearest = true;
-          continue;
-        }
         for (const Approach& approach : starts.found) {
           all.push_back({i, approach.place});
           for (const int side : {-1, 2})
-            all.push_back(
-                {i, outline[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table_->last()))]});
+            all.push_back({i, nodes[static_cast<std::size_t>(std::clamp(approach.segment + side, 0, table_->last()))]});
         }
       }
       starts.end = all.size();
@@ -195,7 +193,7 @@ class Distances {
         const Start* const three = &all[starts.end - 3 * (starts.found.size() - k)];
         const double best = std::min({three[0].distance, three[1].distance, three[2].distance});
         if (!(approach.distance < left.place.distance && best > 2 * approach.distance + 0.5)) continue;
-        set_load(points_.P[left.index]);
+        outline(points_.P[left.index]);
         set_point(block_, 0, points_, left.index);
         const auto distance = [&](double u) {
           const PlanePlace place = table_->at(u);
@@ -206,11 +204,6 @@ class Distances {
         if (d < left.place.distance * (1 - 1e-9)) left.place = {table_->at(u).T, table_->at(u).A, d};
       }
     }
-    const auto first =
-        std::stable_partition(left_.begin(), left_.end(), [](const Left& left) { return !left.is_nearest; });
-    const std::vector<Left> nearest(first, left_.end());
-    left_.erase(first, left_.end());
-    return write_nearest(nearest);
   }
 
   /// Newton's method from all starts. Those that take many steps, or never settle, continue in blocks of their own:
@@ -270,11 +263,6 @@ class Distances {
       if (!write(better ? block_ : unmoved, better ? result_ : unmoved_, slot, left_[from + slot].index)) return false;
     }
     return true;
-  }
-
-  /// Whether all places of the block are proven to be the nearest.
-  bool all_sure() const {
-    return std::all_of(result_.sure.begin(), result_.sure.end(), [](double sure) { return sure > 0; });
   }
 
   /// Whether all points of the block are proven to be nearest to a place between the ends of the curve.
@@ -355,9 +343,13 @@ class Distances {
   CurveDistances& out_;
   Block block_;
   Result<Law> result_, unmoved_;
+  std::size_t open_ = 0;  // points of the block that are not written yet
+  std::array<bool, kBlock> is_open_{};
   std::vector<Left> left_;
   std::optional<RayTable<Law>> table_;
+  double P_of_outline_ = std::numeric_limits<double>::quiet_NaN();
   SegmentDistances segments_;
+  std::vector<Approach> near_;
 };
 
 }  // namespace

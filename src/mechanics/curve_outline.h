@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mechanics/nearest_newton.h"
@@ -53,8 +54,16 @@ class RayTable {
     asymptote_ = family_.bounded && bounded >= 0;
     along_rays_ = P >= 0 || asymptote_;
     last_ = along_rays_ ? static_cast<int>(nodes_.size()) - first_ + (asymptote_ ? 0 : 1) : kArcs;
-    places_.clear();
-    for (int i = 0; i <= last_; ++i) places_.push_back(node(i));
+    places_.resize(static_cast<std::size_t>(last_ + 1));
+    if (!along_rays_) {
+      for (int i = 0; i <= last_; ++i) places_[static_cast<std::size_t>(i)] = node(i);
+      return;
+    }
+    places_.front() = node(0);
+    const Node* const rays = nodes_.data() + first_;
+    const std::size_t n = nodes_.size() - static_cast<std::size_t>(first_);
+    in_vectors([&] { place_on_rays(rays, n, P, &places_[1]); });
+    if (!asymptote_) places_.back() = node(last_);
   }
   const std::vector<PlanePlace>& places() const { return places_; }
 
@@ -139,12 +148,17 @@ class RayTable {
     return a.t * std::pow(b.t / a.t, std::log(q / a.q) / std::log(b.q / a.q));
   }
 
-  PlanePlace on_ray(const Node& node, bool upper) const {
-    const double g = 1 + node.q * node.q, square = 2 * centre() * (above_pull_off(P_) + P_ * node.q * node.q);
-    const double root = std::sqrt(std::max(square, 0.0));
-    const double y = upper ? (centre() + root) / g : -2 * centre() * P_ / (centre() + root);
-    const double a = cube_root(std::max(0.75 * y * y * g / (2 * centre()), 1e-140));
+  PlanePlace on_ray(const Node& node, bool upper) const { return on_ray(node, P_, upper); }
+  MIXITY_LOOP static PlanePlace on_ray(const Node& node, double P, bool upper) {
+    const double centre = 3 * pi<double>();
+    const double g = 1 + node.q * node.q, square = 2 * centre * (above_pull_off(P) + P * node.q * node.q);
+    const double root = std::sqrt(square > 0 ? square : 0.0);
+    const double y = upper ? (centre + root) / g : -2 * centre * P / (centre + root);
+    const double cube = 0.75 * y * y * g / (2 * centre), a = cube_root(cube > 1e-140 ? cube : 1e-140);
     return {node.t * y, pi<double>() * a * a};
+  }
+  MIXITY_LOOP static void place_on_rays(const Node* rays, std::size_t n, double P, PlanePlace* __restrict to) {
+    for (std::size_t i = 0; i < n; ++i) to[i] = on_ray(rays[i], P, true);
   }
 
   static constexpr int kArcs = 32;
@@ -186,7 +200,7 @@ MIXITY_LOOP void measure_segments(const PlanePlace* places, std::size_t n, Plane
 }
 
 /// Finds the nearest `most` approaches of the polyline `places` to `point`, in ascending order of distance.
-inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, double per_T, double per_A,
+inline void approaches(std::span<const PlanePlace> places, PlanePlace point, double per_T, double per_A,
                        std::size_t most, SegmentDistances& segments, std::vector<Approach>& found) {
   found.clear();
   const std::size_t n = places.size() - 1;
@@ -220,6 +234,17 @@ inline void approaches(const std::vector<PlanePlace>& places, PlanePlace point, 
   for (Approach& one : found) one.distance = std::sqrt(one.distance);
   std::sort(found.begin(), found.end(), [](const Approach& a, const Approach& b) { return a.distance < b.distance; });
   if (found.size() > most) found.resize(most);
+}
+
+/// The nodes of an outline in descending order of area that enclose all segments which reach from `lowest` to
+/// `highest`, and one segment more at either end.
+inline std::span<const PlanePlace> nodes_of_areas(std::span<const PlanePlace> places, double lowest, double highest) {
+  const auto first =
+      std::partition_point(places.begin(), places.end(), [=](const PlanePlace& node) { return node.A > highest; });
+  const auto last = std::partition_point(first, places.end(), [=](const PlanePlace& node) { return node.A >= lowest; });
+  const auto begin = first - std::min<std::ptrdiff_t>(2, first - places.begin()),
+             end = last + std::min<std::ptrdiff_t>(2, places.end() - last);
+  return {begin, end};
 }
 
 /// The u in (low, high) that minimises distance(u), by golden section, to the square root of a rounding.

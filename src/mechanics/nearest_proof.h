@@ -12,6 +12,7 @@ struct Result {
   Packed r, dP, dT, dA, distance, sure;
   Packed stationary;  // 1 where the offset from the measured point is along the normal
   Packed on_curve;    // 1 where F vanishes; Newton's steps also vanish where F is extremely steep
+  Packed curvature;   // the second derivative of half the squared distance along the curve
   std::array<Packed, parameter_count<Law>> parameters;
 };
 
@@ -52,6 +53,7 @@ MIXITY_LOOP void measure(const CurveFamily<Law> family, const Block& b, Result<L
     out.on_curve[i] = on_curve ? 1.0 : 0.0;
     out.r[i] = settled & !end & stationary ? normal : signed_distance;
     out.distance[i] = distance;
+    out.curvature[i] = curvature(q);
     const double F_A = q.F_y * q.y_A, F_P = -(2 * q.y + q.d1);
     out.dP[i] = -F_P * q.per_size;
     out.dT[i] = -q.F_T * q.per_size;

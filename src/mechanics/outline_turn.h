@@ -33,7 +33,7 @@ inline Turn turn_of(const std::vector<PlanePlace>& outline, int segment, double 
       const double length = std::sqrt((x * x + z * z) * (dx * dx + dz * dz));
       const double sine = x * dx + z * dz > 0 ? std::abs(x * dz - z * dx) / length : 1.0;
       turn.sine = std::max(turn.sine, sine);
-      turn.radius = std::min(turn.radius, std::sqrt(std::pow(x + dx, 2) + std::pow(z + dz, 2)) / (2 * sine));
+      turn.radius = std::min(turn.radius, std::sqrt((x + dx) * (x + dx) + (z + dz) * (z + dz)) / (2 * sine));
     }
     x = dx;
     z = dz;

@@ -50,5 +50,17 @@ TEST(LeastDistance, FromALongSegmentFarAwayIsNotItsLength) {
   EXPECT_NEAR(least_distance(outline, 2, {1, 50}, 1, 1), 48, 1e-12);  // rounding
 }
 
+TEST(NodesOfAreas, EncloseThePartThatReachesThemAndASegmentMore) {
+  const std::vector<PlanePlace> outline{{0, 9}, {1, 8}, {2, 7}, {3, 5}, {4, 4}, {5, 2}, {6, 1}};
+  const auto nodes = [&](double lowest, double highest) {
+    const std::span<const PlanePlace> part = nodes_of_areas(outline, lowest, highest);
+    return std::pair(part.front().A, part.back().A);
+  };
+  EXPECT_EQ(nodes(5.5, 6.5), std::pair(8.0, 4.0));  // between two nodes
+  EXPECT_EQ(nodes(5.0, 7.0), std::pair(9.0, 2.0));  // at nodes
+  EXPECT_EQ(nodes(0.0, 10.0), std::pair(9.0, 1.0));
+  EXPECT_EQ(nodes(9.5, 9.9), std::pair(9.0, 8.0));  // beyond an end
+}
+
 }  // namespace
 }  // namespace mixity
