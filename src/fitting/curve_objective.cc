@@ -73,10 +73,11 @@ bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::v
 }
 
 bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
-  if (!sample_)
+  const CurveObjective* const some = sample();
+  if (!some)
     return all_blocks(x, points_, Search::rough, with_axes({residuals, {}, {}})) && add_pull_off(x, residuals, {});
   std::fill(residuals.begin(), residuals.end(), 0.0);
-  return sample_->evaluate_roughly(x, residuals.first(sample_->residual_count())) && add_pull_off(x, residuals, {});
+  return some->evaluate_roughly(x, residuals.first(some->residual_count())) && add_pull_off(x, residuals, {});
 }
 
 bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,

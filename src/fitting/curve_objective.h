@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 #include "fitting/error_model.h"
 #include "fitting/model_problem.h"
@@ -81,8 +82,12 @@ class CurveObjective final : public ModelProblem {
   };
   void sort_points();
   void list_points();
+  /// Some of the points, evenly over the loads; null if there are few points.
+  const CurveObjective* sample() const;
+  PointArrays listed(std::size_t rank, std::size_t count);
+  PointArrays block_of(std::size_t rank, std::size_t count, Workspace& workspace);
   template <class Of>
-  double sum_of(double from, const Of& of) const;
+  double sum_of(double from, const Of& of);
   bool part_of(std::size_t part, std::span<const double> x, std::vector<double>& residuals,
                std::vector<double>& jacobian, std::span<double> memory) const;
   std::size_t index_of(std::size_t rank) const { return order_.empty() ? rank : order_[rank]; }
@@ -120,7 +125,8 @@ class CurveObjective final : public ModelProblem {
   std::size_t axes_rows_ = 0;
   bool near_ = false;  // the points know where the search for the nearest places begins
   double data_norm_ = 0;
-  std::unique_ptr<CurveObjective> sample_;  // some of the points, evenly over the loads; null if there are few points
+  mutable std::once_flag sampled_;
+  mutable std::unique_ptr<CurveObjective> sample_;
 };
 
 }  // namespace mixity

@@ -1,6 +1,7 @@
 // Prepares the points of a CurveObjective: their order, their blocks, and the norm of the data.
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
   if (!expected.empty()) expected_ = std::make_shared<std::vector<double>>(std::move(expected));
   const std::size_t n = points_.size;
   near_ = n >= kManyPoints && points_.at(0).near_A > 0;
+  list_points();
   const double areas =
       sum_of(0, [](const PointArrays& block, std::size_t k) { return std::pow(block.A[k] / block.sigma_A[k], 2); });
   for (std::size_t i = 0; i < n && points_.has_places(); ++i) varies_ |= points_.at(i).place.has_own_constants();
@@ -43,18 +45,26 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
     run_before = run;
   }
   blocks_.push_back(n);
-  list_points();
+  if (varies_) listed_.clear();
   list_axes();
-  if (n < 2 * kSample) return;
-  std::vector<MeasuredPoint> sample;
-  std::vector<MeasuredAxes> axes;
-  for (std::size_t i = 0; i < kSample; ++i) {
-    sample.push_back(points_.at(index_of(i * n / kSample)));
-    if (points_.axes) axes.push_back((*points_.axes)[index_of(i * n / kSample)]);
-  }
-  MeasuredPoints some(std::move(sample));
-  if (points_.axes) some.axes = std::make_shared<const std::vector<MeasuredAxes>>(std::move(axes));
-  sample_ = std::make_unique<CurveObjective>(std::move(some), choice_, std::vector<double>(), nullptr, shifts_);
+}
+
+/// Most problems are evaluated near a known minimum, and need none.
+const CurveObjective* CurveObjective::sample() const {
+  std::call_once(sampled_, [&] {
+    const std::size_t n = points_.size;
+    if (n < 2 * kSample) return;
+    std::vector<MeasuredPoint> some;
+    std::vector<MeasuredAxes> axes;
+    for (std::size_t i = 0; i < kSample; ++i) {
+      some.push_back(points_.at(index_of(i * n / kSample)));
+      if (points_.axes) axes.push_back((*points_.axes)[index_of(i * n / kSample)]);
+    }
+    MeasuredPoints points(std::move(some));
+    if (points_.axes) points.axes = std::make_shared<const std::vector<MeasuredAxes>>(std::move(axes));
+    sample_ = std::make_unique<CurveObjective>(std::move(points), choice_, std::vector<double>(), nullptr, shifts_);
+  });
+  return sample_.get();
 }
 
 /// Numbers the rows of measured axes.
@@ -67,7 +77,7 @@ void CurveObjective::list_axes() {
 
 /// The sum over all points by rank, from parts of fixed length: it does not depend on the number of threads.
 template <class Of>
-double CurveObjective::sum_of(double from, const Of& of) const {
+double CurveObjective::sum_of(double from, const Of& of) {
   constexpr std::size_t kPart = kBlock * kBlocksOfAPart;
   const std::size_t n = points_.size;
   std::vector<double> sums((n + kPart - 1) / kPart);
@@ -77,8 +87,7 @@ double CurveObjective::sum_of(double from, const Of& of) const {
     const std::size_t end = std::min(n, (part + 1) * kPart);
     for (std::size_t rank = part * kPart; rank < end; rank += kBlock) {
       const std::size_t count = std::min(kBlock, end - rank);
-      const PointArrays block = workspace.points(count);
-      points_.fill(Indices(*this, rank, count).list, block);
+      const PointArrays block = block_of(rank, count, workspace);
       for (std::size_t k = 0; k < count; ++k) sums[part] += of(block, k);
     }
   });
@@ -88,14 +97,25 @@ double CurveObjective::sum_of(double from, const Of& of) const {
 /// Arrays are scaled faster than points that are made one by one; of millions they would be most of the memory.
 void CurveObjective::list_points() {
   const std::size_t n = points_.size;
-  if (n >= kManyPoints || varies_) return;
+  if (n >= kManyPoints) return;
   listed_.resize(7 * n);
   for (std::size_t rank = 0; rank < n; rank += kBlock) {
     const std::size_t count = std::min(kBlock, n - rank);
-    const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * n + rank, count); };
-    points_.fill(Indices(*this, rank, count).list,
-                 {array(0), array(1), array(2), array(3), array(4), array(5), array(6)});
+    points_.fill(Indices(*this, rank, count).list, listed(rank, count));
   }
+}
+
+PointArrays CurveObjective::listed(std::size_t rank, std::size_t count) {
+  const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * points_.size + rank, count); };
+  return {array(0), array(1), array(2), array(3), array(4), array(5), array(6)};
+}
+
+/// The arrays of consecutive points by rank; those that are not listed are computed.
+PointArrays CurveObjective::block_of(std::size_t rank, std::size_t count, Workspace& workspace) {
+  if (!listed_.empty()) return listed(rank, count);
+  const PointArrays block = workspace.points(count);
+  points_.fill(Indices(*this, rank, count).list, block);
+  return block;
 }
 
 /// Sorts by load, so that the points of one curve are processed together. Consecutive points with the same load are
@@ -114,8 +134,7 @@ void CurveObjective::sort_points() {
     const std::size_t end = std::min(n, (part + 1) * kPart);
     for (std::size_t begin = part * kPart; begin < end; begin += kBlock) {
       const std::size_t count = std::min(kBlock, end - begin);
-      const PointArrays block = workspace.points(count);
-      points_.fill(Indices(*this, begin, count).list, block);
+      const PointArrays block = block_of(begin, count, workspace);
       for (std::size_t k = 0; k < count; ++k) {
         const Key key(shifts_.empty() ? 0 : points_.at(begin + k).run, block.P[k]);
         if (parts[part].empty() || parts[part].back().key != key) parts[part].push_back({key, begin + k});
@@ -140,6 +159,7 @@ void CurveObjective::sort_points() {
     const std::size_t end = k + 1 < stretches.size() ? stretches[k + 1].begin : points_.size;
     for (std::size_t i = stretches[k].begin; i < end; ++i) order_.push_back(static_cast<std::uint32_t>(i));
   }
+  list_points();
 }
 
 }  // namespace mixity
