@@ -35,13 +35,15 @@ double independent_points(const FitResult& fit) {
 
 namespace {
 
-/// Of the score tests of which this is true, the constant of the most significant one; null if there is none.
+/// Of the score tests of which this is true, the constant of the most significant one; null if there is none. Of
+/// constants that act alike it is the first: their p-values differ by rounding.
 template <class Asks>
 const ExactConstant* most_significant(const FitResult& fit, const Asks& asks) {
+  constexpr double kRounding = 1e-6;  // rounding of the nearest points, times the largest falls
   const ExactConstant* most = nullptr;
   if (fit.budget)
     for (const ExactConstant& one : fit.budget->exact)
-      if (one.score && asks(one) && (!most || one.score->p_value < most->score->p_value)) most = &one;
+      if (one.score && asks(one) && (!most || one.score->p_value < (1 - kRounding) * most->score->p_value)) most = &one;
   return most;
 }
 

@@ -273,5 +273,20 @@ TEST(Diagnosis, AsksOfARadiusReadTooLargeByItself) {
   EXPECT_FALSE(nearly("modulus", 0.005));
 }
 
+/// An area is proportional to area_scale, and nearly so to the modulus: which p-value is the smaller is a matter of
+/// rounding.
+TEST(Diagnosis, NamesTheFirstOfTwoConstantsThatActAlike) {
+  const auto named = [](double p_of_second) {
+    FitResult fit;
+    fit.budget.emplace();
+    fit.budget->independent = 4;
+    fit.budget->exact.push_back({"modulus", "", 0.1, 0.01, ExactConstant::Score{9, 1.1, 3e-3, 3, 2}});
+    fit.budget->exact.push_back({"area_scale", "", 0.1, 0.01, ExactConstant::Score{9, 0.9, p_of_second, 3, 2}});
+    return nearly_wrong_constant(fit)->constant;
+  };
+  EXPECT_EQ(named(3e-3 * (1 - 1e-12)), "modulus");
+  EXPECT_EQ(named(2e-3), "area_scale");
+}
+
 }  // namespace diagnosis_test
 }  // namespace mixity
