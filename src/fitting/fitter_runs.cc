@@ -1,6 +1,7 @@
 // Quantities whose spread between the runs is fitted, too.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fitting/curve_objective.h"
 #include "fitting/fitted_errors.h"
@@ -79,7 +80,8 @@ bool Fitter::refresh_columns(const std::vector<double>& x) {
 }
 
 /// Halves the step of a run's deviations until it lowers the squares of its residuals and deviations. `nearest`: at the
-/// start on entry, at the end on return. False where that is not finite.
+/// start on entry, at the end on return. Runs whose step is found are not evaluated again. False where that is not
+/// finite.
 bool Fitter::shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest) {
   constexpr int kMost = 5;
   constexpr double kRise = 1e-3;  // a common parameter that moves may raise the squares of some runs by as much
@@ -99,23 +101,41 @@ bool Fitter::shorten_steps(const std::vector<double>& x, const RunDifferences& s
   std::vector<double> least;
   for (std::size_t g = 0; g < groups.size(); ++g) least.push_back(cost(g, nearest.residuals, start));
   std::vector<double> step(groups.size(), 1.0);
-  for (int halving = 0;; ++halving) {
-    auto now = static_cast<const CurveObjective&>(*make_problem(data_, options_, prepared_)).nearest(x);
+  std::vector<std::size_t> open(groups.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  const bool apart = nearest.axes.empty() && nearest.pull_off.empty();  // else all runs are evaluated together
+  for (int halving = 0; !open.empty(); ++halving) {
+    std::vector<std::size_t> rows;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      if (!apart || std::binary_search(open.begin(), open.end(), g))
+        rows.insert(rows.end(), groups[g].begin(), groups[g].end());
+    std::sort(rows.begin(), rows.end());
+    PreparedFit some = prepared_;
+    some.used = {};
+    for (const std::size_t i : rows) some.used.push_back(prepared_.used[i]);
+    auto now = static_cast<const CurveObjective&>(*make_problem(data_, options_, some)).nearest(x);
     if (!now) return false;
-    nearest = std::move(*now);
-    for (std::size_t i = 0; i < expected.size(); ++i) nearest.residuals[i] -= expected[i];
-    bool all = true;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (step[g] == 0 || cost(g, nearest.residuals, to) <= least[g] * (1 + kRise)) continue;
-      all = false;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const std::size_t i = rows[k];
+      nearest.residuals[i] = now->residuals[k] - (expected.empty() ? 0 : expected[i]);
+      nearest.T[i] = now->T[k];
+      nearest.A[i] = now->A[k];
+      nearest.load_T[i] = now->load_T[k];
+      nearest.load_A[i] = now->load_A[k];
+    }
+    nearest.axes = std::move(now->axes);
+    nearest.pull_off = std::move(now->pull_off);
+    std::erase_if(open, [&](std::size_t g) {
+      if (step[g] == 0 || cost(g, nearest.residuals, to) <= least[g] * (1 + kRise)) return true;
       step[g] = halving + 1 == kMost ? 0 : step[g] / 2;
       for (std::size_t q = 0; q < to.names.size(); ++q) {
         const double from = start.deviations[q][runs[g]];
         to.deviations[q][runs[g]] = from + step[g] * (wanted.deviations[q][runs[g]] - from);
       }
-    }
-    if (all) return true;
+      return false;
+    });
   }
+  return true;
 }
 
 }  // namespace mixity
