@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <tuple>
 
@@ -35,34 +34,30 @@ Beginning beginning(const TwoProcesses& all, std::span<const double> deviations,
   return some;
 }
 
-/// The x in [low, high] with the largest f(x), to this many bits (Brent 1973).
-template <class Function>
-double highest_between(const Function& f, double low, double high, int bits) {
-  return boost::math::tools::brent_find_minima([&](double x) { return -f(x); }, low, high, bits).first;
+Trials evenly(double low, double high) {
+  Trials x;
+  for (std::size_t t = 0; t < kTrials; ++t)
+    x[t] = low + (high - low) * static_cast<double>(t) / static_cast<double>(kTrials - 1);
+  x.back() = high;
+  return x;
 }
 
-constexpr std::array kTried{0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.93, 0.97, kClosest};
-constexpr int kBits = 14;
-
-/// The x with the largest f(x) between those of kTried on either side of `from`.
-template <class Function>
-double highest_near(const Function& f, double from) {
-  const auto above = std::upper_bound(kTried.begin() + 1, kTried.end() - 1, from);
-  const auto below = std::lower_bound(kTried.begin() + 1, kTried.end() - 1, from) - 1;
-  return highest_between(f, *below, *above, kBits);
-}
-
-/// The x in [0, kClosest] with the largest f(x), which may have several maxima.
-template <class Function>
-double highest(const Function& f) {
-  std::size_t best = 0;
-  double most = f(kTried[0]);
-  for (std::size_t i = 1; i < kTried.size(); ++i)
-    if (const double value = f(kTried[i]); value > most) {
-      most = value;
-      best = i;
+/// The x in [low, high] with the largest of the values(x), to about 1e-5 of their distance: by grids, each between the
+/// neighbours of the last one's best node, and the parabola through three nodes. `tried`: the first grid.
+template <class Values>
+double highest_of(const Values& values, Trials tried) {
+  constexpr int kGrids = 4;
+  for (int grid = 1;; ++grid) {
+    const Trials found = values(tried);
+    const auto best = static_cast<std::size_t>(std::max_element(found.begin(), found.end()) - found.begin());
+    const std::size_t below = best > 0 ? best - 1 : 0, above = std::min(best + 1, kTrials - 1);
+    if (grid == kGrids) {
+      const double rise = found[best] - found[below], fall = found[best] - found[above];
+      const bool inside = below < best && best < above && rise + fall > 0;
+      return tried[best] + (inside ? (tried[above] - tried[best]) * (rise - fall) / (2 * (rise + fall)) : 0);
     }
-  return highest_between(f, kTried[best > 0 ? best - 1 : 0], kTried[std::min(best + 1, kTried.size() - 1)], kBits);
+    tried = evenly(tried[below], tried[above]);
+  }
 }
 
 /// Kalman's filter of a run: the covariance of u and v predicted from the deviations before, and what a deviation says.
@@ -140,113 +135,58 @@ void Decorrelation::apply(std::span<double> values, std::size_t stride) const {
 
 namespace {
 
-/// The sum of squares of the decorrelated deviations, their number, and ln of the determinant.
-struct Independent {
-  double squares = 0, n = 0, log_determinant = 0;
-};
+constexpr Trials kTried{0, 0.2, 0.4, 0.6, 0.75, 0.87, 0.95, kClosest};
 
-/// Subtracts what multiples of decorrelated columns explain in one run, one column after the other.
-void take_off(const std::vector<std::size_t>& run, std::vector<std::vector<double>> columns,
-              const std::vector<double>& values, Independent& result) {
-  constexpr double kNone = 1e-12;  // relative to a column's square: it depends on those before
-  const auto product = [&](const std::vector<double>& x, const std::vector<double>& y) {
-    double sum = 0;
-    for (const std::size_t i : run) sum += x[i] * y[i];
-    return sum;
-  };
-  for (std::size_t q = 0; q < columns.size(); ++q) {
-    const double whole = product(columns[q], columns[q]);
-    for (std::size_t before = 0; before < q; ++before) {
-      const double square = product(columns[before], columns[before]);
-      if (!(square > 0)) continue;
-      const double part = product(columns[before], columns[q]) / square;
-      for (const std::size_t i : run) columns[q][i] -= part * columns[before][i];
-    }
-    const double square = product(columns[q], columns[q]);
-    if (!(square > kNone * whole)) {
-      for (const std::size_t i : run) columns[q][i] = 0;
-      continue;
-    }
-    const double along = product(columns[q], values);
-    result.squares -= along * along / square;
-    result.log_determinant += std::log(square);
-    --result.n;
-  }
-}
-
-/// The sum of logarithms of positive numbers: those of products, which seldom near the limits of a double.
-class SumOfLogarithms {
+/// ln L with the most likely unit of the deviations, at several correlations.
+class OfAnyUnit {
  public:
-  void add(double x) {
-    if (x < kSmall || x > 1 / kSmall) {
-      sum_ += std::log(x);
-      return;
-    }
-    product_ *= x;
-    if (product_ > kSmall && product_ < 1 / kSmall) return;
-    sum_ += std::log(product_);
-    product_ = 1;
+  OfAnyUnit(const TwoProcesses& processes, std::span<const double> deviations,
+            const std::function<double(double)>& second_factor)
+      : processes_(processes), deviations_(deviations), second_factor_(second_factor) {}
+
+  using Many = std::array<NeighbourCorrelations, kTrials>;
+  Trials operator()(const Many& many) const {
+    std::array<ScaledCorrelations, kTrials> trials;
+    for (std::size_t t = 0; t < kTrials; ++t) trials[t] = {many[t], 1, second_factor_(many[t].second)};
+    const auto [squares, n, log_determinant] = independent(processes_, deviations_, trials);
+    Trials values;
+    for (std::size_t t = 0; t < kTrials; ++t)
+      values[t] = squares[t] > 0 ? -(n[t] * std::log(squares[t] / n[t]) + log_determinant[t]) / 2 : 0;
+    return values;
   }
-  double sum() const { return sum_ + std::log(product_); }
+  double operator()(const NeighbourCorrelations& one) const {
+    Many all;
+    all.fill(one);
+    return (*this)(all)[0];
+  }
 
  private:
-  static constexpr double kSmall = 1e-100;
-  double sum_ = 0, product_ = 1;
+  const TwoProcesses& processes_;
+  std::span<const double> deviations_;
+  const std::function<double(double)>& second_factor_;
 };
 
-Independent independent(const TwoProcesses& processes, std::span<const double> deviations,
-                        const ScaledCorrelations& at) {
-  Independent result;
-  if (processes.own.empty()) {
-    Filter filter{processes, at};
-    SumOfLogarithms logarithms;
-    for (const auto& run : processes.runs) {
-      double u = 0, v = 0;
-      for (std::size_t k = 0; k < run.size(); ++k) {
-        filter.predict(run, k);
-        u *= filter.d1;
-        v *= filter.d2;
-        const double innovation = deviations[run[k]] - filter.l1 * u - filter.l2 * v,
-                     share = innovation / filter.variance;
-        u += filter.u * share;
-        v += filter.v * share;
-        filter.learn();
-        result.squares += innovation * share;
-        logarithms.add(filter.variance);
-      }
-      result.n += static_cast<double>(run.size());
-    }
-    result.log_determinant = logarithms.sum();
-    return result;
-  }
-  const Decorrelation decorrelation(processes, at);
-  std::vector<double> values(deviations.begin(), deviations.end());
-  decorrelation.apply(values);
-  result.log_determinant = decorrelation.log_determinant();
-  for (const auto& run : processes.runs)
-    for (const std::size_t i : run) {
-      result.squares += values[i] * values[i];
-      ++result.n;
-    }
-  std::vector<std::vector<double>> own = processes.own;
-  for (auto& column : own) decorrelation.apply(column);
-  for (const auto& run : processes.runs) take_off(run, own, values, result);
-  return result;
+/// The x in the range of `tried` at which the correlations at(x) are the most likely; there may be several maxima.
+template <class At>
+double highest(const OfAnyUnit& value, const At& at, const Trials& tried = kTried) {
+  return highest_of(
+      [&](const Trials& x) {
+        OfAnyUnit::Many many;
+        std::transform(x.begin(), x.end(), many.begin(), at);
+        return value(many);
+      },
+      tried);
 }
 
-/// ln L with the most likely unit of the deviations.
-double log_likelihood_of_any_unit(const TwoProcesses& processes, std::span<const double> deviations,
-                                  const ScaledCorrelations& at) {
-  const auto [squares, n, log_determinant] = independent(processes, deviations, at);
-  return squares > 0 ? -(n * std::log(squares / n) + log_determinant) / 2 : 0;
+/// The same between those of kTried on either side of `from`.
+template <class At>
+double highest_near(const OfAnyUnit& value, const At& at, double from) {
+  const auto above = std::upper_bound(kTried.begin() + 1, kTried.end() - 1, from);
+  const auto below = std::lower_bound(kTried.begin() + 1, kTried.end() - 1, from) - 1;
+  return highest(value, at, evenly(*below, *above));
 }
 
 }  // namespace
-
-double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations, const ScaledCorrelations& at) {
-  const auto [squares, n, log_determinant] = independent(processes, deviations, at);
-  return -(squares + log_determinant) / 2;
-}
 
 ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<const double> deviations,
                                        const std::function<double(double)>& second_factor) {
@@ -256,31 +196,42 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   constexpr double kUndecided = 2;  // of ln L
   const Beginning some = beginning(processes, deviations, kDeciding);
   const std::size_t n = some.deviations.size();
-  const auto value = [&](double first, double second) {
-    return log_likelihood_of_any_unit(some.processes, some.deviations, {{first, second}, 1, second_factor(second)});
-  };
+  const OfAnyUnit value(some.processes, some.deviations, second_factor);
   const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
-  const double without = value(0, 0);
+  const double without = value(NeighbourCorrelations{});
   ChosenCorrelations best{{}, without};
   double most = without;
-  bool promising = false;
   // ln L rises by n r^2/2 at a small correlation r of the residuals: the first value is the smallest worth its price.
-  for (const double tried : {std::sqrt(2 * price / static_cast<double>(n)), 0.3, 0.7, 0.92})
-    promising |= std::max(value(tried, 0), value(0, tried)) > most + price - kNear;
-  if (!promising) return best;
+  OfAnyUnit::Many few;
+  std::size_t next = 0;
+  for (const double tried : {std::sqrt(2 * price / static_cast<double>(n)), 0.3, 0.7, 0.92}) {
+    few[next++] = {tried, 0};
+    few[next++] = {0, tried};
+  }
+  const Trials of_few = value(few);
+  if (!(*std::max_element(of_few.begin(), of_few.end()) > without + price - kNear)) return best;
   const auto consider = [&](NeighbourCorrelations one) {
-    const double here = value(one.first, one.second), gain = here - price * ((one.first > 0) + (one.second > 0));
+    const double here = value(one), gain = here - price * ((one.first > 0) + (one.second > 0));
     if (!(gain > most)) return;
     most = gain;
     best = {one, here};
   };
-  const double first = highest([&](double x) { return value(x, 0); }),
-               second = highest([&](double x) { return value(0, x); });
+  const double first = highest(value,
+                               [](double x) {
+                                 return NeighbourCorrelations{x, 0};
+                               }),
+               second = highest(value, [](double x) {
+                 return NeighbourCorrelations{0, x};
+               });
   consider({first, 0});
   consider({0, second});
   if (!best.correlations.any()) return best;
   // One that both share is as simple as one of either. Where the data do not tell, it is what widens most.
-  const double shared = highest([&](double x) { return value(x, x); }), of_shared = value(shared, shared);
+  const double shared = highest(value,
+                                [](double x) {
+                                  return NeighbourCorrelations{x, x};
+                                }),
+               of_shared = value(NeighbourCorrelations{shared, shared});
   if (of_shared > best.log_likelihood - kUndecided && of_shared - price > without) {
     best = {{shared, shared}, of_shared};
     most = std::max(most, of_shared - price);
@@ -288,10 +239,10 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   NeighbourCorrelations both{first, second};
   for (int round = 0; round < kRounds; ++round) {
     const NeighbourCorrelations last = both;
-    const auto of_second = [&](double x) { return value(both.first, x); };
-    both.second = round == 0 ? highest(of_second) : highest_near(of_second, both.second);
-    const auto of_first = [&](double x) { return value(x, both.second); };
-    both.first = round == 0 ? highest(of_first) : highest_near(of_first, both.first);
+    const auto with_second = [&](double x) { return NeighbourCorrelations{both.first, x}; };
+    both.second = round == 0 ? highest(value, with_second) : highest_near(value, with_second, both.second);
+    const auto with_first = [&](double x) { return NeighbourCorrelations{x, both.second}; };
+    both.first = round == 0 ? highest(value, with_first) : highest_near(value, with_first, both.first);
     if (std::abs(both.first - last.first) + std::abs(both.second - last.second) < kHardly) break;
   }
   consider(both);
@@ -302,21 +253,21 @@ ScaledCorrelations improve(const TwoProcesses& processes, std::span<const double
                            const NeighbourCorrelations& from,
                            const std::function<double(const ScaledCorrelations&)>& more) {
   constexpr double kReach = 0.25;  // of ln(factor) and atanh(correlation)
-  constexpr int kBits = 16;
   const Beginning some = beginning(processes, deviations, kDeciding);
   ScaledCorrelations best{from};
-  const auto value = [&](const ScaledCorrelations& at) {
-    return log_likelihood(some.processes, some.deviations, at) + more(at);
-  };
   const auto change = [&](auto&& set) {
-    const ScaledCorrelations before = best;
-    const double step = highest_between(
-        [&](double x) {
-          ScaledCorrelations at = before;
-          set(at, x);
-          return value(at);
+    const double step = highest_of(
+        [&](const Trials& x) {
+          std::array<ScaledCorrelations, kTrials> trials;
+          trials.fill(best);
+          for (std::size_t t = 0; t < kTrials; ++t) set(trials[t], x[t]);
+          const auto [squares, n, log_determinant] = independent(some.processes, some.deviations, trials);
+          Trials values;
+          for (std::size_t t = 0; t < kTrials; ++t)
+            values[t] = -(squares[t] + log_determinant[t]) / 2 + more(trials[t]);
+          return values;
         },
-        -kReach, kReach, kBits);
+        evenly(-kReach, kReach));
     set(best, step);
   };
   for (const auto& [factor, correlation] : {std::pair(&ScaledCorrelations::first, &NeighbourCorrelations::first),

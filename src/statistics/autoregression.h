@@ -8,27 +8,12 @@
 #include <vector>
 
 #include "statistics/neighbour_correlations.h"
+#include "statistics/two_processes.h"
 
 namespace mixity {
 
-/// Deviations d = first u + second v of two processes u and v with variance 1.
-struct TwoProcesses {
-  std::vector<std::vector<std::size_t>> runs;  // indices of the deviations of each run, in their order
-  std::vector<double> places;                  // per deviation: its position along the run, ascending
-  std::vector<double> first, second;           // weights; not both 0
-  /// Columns with one number per deviation. Each run has its own multiple of each column, which is not noise:
-  /// likelihoods are restricted to the remainder.
-  std::vector<std::vector<double>> own{};
-};
-
 /// Number of deviations that decide about correlations: the first ones.
 inline constexpr std::size_t kDeciding = 20000;
-
-/// Correlations, and factors on the weights.
-struct ScaledCorrelations {
-  NeighbourCorrelations correlations;
-  double first = 1, second = 1;
-};
 
 /// Turns correlated deviations into independent ones of variance 1: subtracts from each its prediction from those
 /// before, and divides by the standard deviation of the rest (Kalman's filter; Harvey 1989, Forecasting, Structural
@@ -57,9 +42,6 @@ class Decorrelation {
   std::vector<double> predicted_across_;
   double log_determinant_ = 0;
 };
-
-/// ln L of the deviations, without the term -n/2 ln(2 pi).
-double log_likelihood(const TwoProcesses& processes, std::span<const double> deviations, const ScaledCorrelations& at);
 
 /// Correlations of maximum likelihood to 1e-4, whatever the unit of the deviations; 0 where BIC rejects one (Schwarz
 /// 1978); equal where BIC requires one and the data do not tell which. ln L is that in the unit of maximum likelihood,
