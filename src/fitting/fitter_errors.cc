@@ -7,6 +7,7 @@
 #include "fitting/consistency.h"
 #include "fitting/course.h"
 #include "fitting/curve_objective.h"
+#include "fitting/errors_ahead.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/fitter.h"
 #include "solver/descent.h"
@@ -29,39 +30,6 @@ void weigh_as_student(std::vector<double>& residuals) {
 /// Gives their memory back.
 void drop(std::initializer_list<std::vector<double>*> lists) {
   for (std::vector<double>* const list : lists) *list = std::vector<double>();
-}
-
-/// Of two estimates: the largest difference of a correlation or of the logarithm of a size.
-double distance(const ErrorModels& one, const ErrorModels& other) {
-  double most = std::max(std::abs(one.correlations.first - other.correlations.first),
-                         std::abs(one.correlations.second - other.correlations.second));
-  const auto compare = [&](double x, double y) {
-    if (x > 0 && y > 0) most = std::max(most, std::abs(std::log(x / y)));
-  };
-  for (const auto axis : {&ErrorModels::T, &ErrorModels::A})
-    if (one.*axis && other.*axis) {
-      compare((one.*axis)->constant, (other.*axis)->constant);
-      compare((one.*axis)->share, (other.*axis)->share);
-    }
-  if (one.run_factors.size() == other.run_factors.size())
-    for (std::size_t run = 0; run < one.run_factors.size(); ++run)
-      compare(one.run_factors[run], other.run_factors[run]);
-  return most;
-}
-
-/// Errors between two estimates with the same parts.
-ErrorModels halfway(const ErrorModels& one, ErrorModels other) {
-  const auto mean = [](double x, double y) { return std::sqrt((x * x + y * y) / 2); };
-  for (const auto axis : {&ErrorModels::T, &ErrorModels::A})
-    if (one.*axis && other.*axis)
-      other.*axis = ErrorModel{mean((one.*axis)->constant, (other.*axis)->constant),
-                               mean((one.*axis)->share, (other.*axis)->share)};
-  if (one.run_factors.size() == other.run_factors.size())
-    for (std::size_t run = 0; run < one.run_factors.size(); ++run)
-      other.run_factors[run] = mean(one.run_factors[run], other.run_factors[run]);
-  other.correlations.first = (one.correlations.first + other.correlations.first) / 2;
-  other.correlations.second = (one.correlations.second + other.correlations.second) / 2;
-  return other;
 }
 
 /// For the minimum of one round: the rest is left to the next.
@@ -165,12 +133,14 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kSettledOfTrial = 1e-5;  // an explanation shows four digits
   constexpr double kSettledFarOff = 1e-6;   // where the stated errors are far too small, an interval says no more
   constexpr double kLeap = 0.1;             // relative change in one of the last rounds
-  constexpr double kLeft = 3e-4;    // of many points: standard errors by which all further rounds would move the fit
-  constexpr double kEnough = 1e-4;  // of many points: standard errors to which a round finds the minimum
-  constexpr double kFirst = 1e-5;   // else: the same in the first round
-  constexpr double kNext = 0.1;     // and in others, in units of the errors' last relative change
-  constexpr double kSteady = 0.1;   // of a round's change, that of the next
-  constexpr double kSwing = 0.5;    // of the distance from the last errors, that from those before them
+  constexpr double kLeft = 3e-4;      // of many points: standard errors by which all further rounds would move the fit
+  constexpr double kEnough = 1e-4;    // of many points: standard errors to which a round finds the minimum
+  constexpr double kFirst = 1e-5;     // else: the same in the first round
+  constexpr double kNext = 0.1;       // and in others, in units of the errors' last relative change
+  constexpr double kResolved = 1e-4;  // change of the errors to which a round finds correlations
+  constexpr double kCreeps = 2e-3;  // the same along a ridge of their likelihood, where rounds change as much each time
+  constexpr double kSteady = 0.5;   // of a round's change, that of the next
+  constexpr double kHardlyLess = 0.8;  // the same where rounds creep
   constexpr double kSurely = 1e-6;
   constexpr double kFound = 0.01;        // of the spread between runs, by which a round moves their deviations
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
@@ -183,7 +153,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   double last_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
   const bool free = !problem_->parameters().empty();
   if (free && x.empty()) return true;
-  ErrorModels models, before_last;
+  ErrorModels models;
+  ErrorsAhead ahead;
+  bool ended = false, creeps = false;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
   double largest = 0;  // change of the last rounds
@@ -270,21 +242,18 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (!by_run &&
         (apart || (round < choosing && round % weighting == 0 && (round > 0 || !(many || known)) && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart, by_neighbours);
+    ended |= round >= refining || (round > choosing && last_change < (creeps ? kCreeps : kResolved));
     const Stage stage = round < weighting  ? Stage::weighting
                         : round < choosing ? Stage::choosing
-                        : round < refining ? Stage::refining
-                                           : Stage::ending;
+                        : ended            ? Stage::ending
+                                           : Stage::refining;
     const auto found = stage == Stage::choosing && by_neighbours && own.empty()
                            ? by_neighbours
                            : estimated_errors(*nearest, leverage, models, stage, own);
     if (!found) return true;
     change = std::max({change, std::abs(found->correlations.first - models.correlations.first),
                        std::abs(found->correlations.second - models.correlations.second)});
-    const ErrorModels last = std::exchange(models, *found);
-    // Limits of outliers make rounds swing between two answers: halfway they settle.
-    if (round > refining && distance(models, before_last) < kSwing * distance(models, last))
-      models = halfway(last, models);
-    before_last = last;
+    models = round > choosing && (ended || !found->correlations.any()) ? ahead.next(models, *found) : *found;
     if (models.T) errors.model_T = models.T;
     if (models.A) errors.model_A = models.A;
     errors.run_factors = models.run_factors;
@@ -302,7 +271,9 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (by_run && !refresh_columns(x)) return true;
     problem_ = make_problem(data_, options_, prepared_);
     // What all further rounds would change, if each changes as many times less as this one.
-    const double ratio = change / std::exchange(last_change, change), left = ratio < kSteady ? change * ratio : change;
+    const double ratio = change / std::exchange(last_change, change),
+                 left = ratio < kSteady ? change * ratio / (1 - ratio) : change;
+    creeps = round > choosing + 1 && ratio > kHardlyLess;
     if (left <= settled && round > choosing) break;
     if (many) {
       const double earlier = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
