@@ -34,10 +34,11 @@ Beginning beginning(const TwoProcesses& all, std::span<const double> deviations,
   return some;
 }
 
+// Constants, since of indices that a loop makes doubles Emscripten 3.1.6 forms wrong vectors.
+constexpr Trials kShares{0, 1 / 7.0, 2 / 7.0, 3 / 7.0, 4 / 7.0, 5 / 7.0, 6 / 7.0, 1};
 Trials evenly(double low, double high) {
   Trials x;
-  for (std::size_t t = 0; t < kTrials; ++t)
-    x[t] = low + (high - low) * static_cast<double>(t) / static_cast<double>(kTrials - 1);
+  for (std::size_t t = 0; t < kTrials; ++t) x[t] = low + (high - low) * kShares[t];
   x.back() = high;
   return x;
 }

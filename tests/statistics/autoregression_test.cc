@@ -130,6 +130,25 @@ TEST(Correlations, AreFoundForEachProcess) {
   }
 }
 
+/// The first one is found last, with the second as it is then.
+TEST(Correlations, AreTheMostLikelyToATenThousandth) {
+  const TwoProcesses runs = turning(8, 200);
+  for (const NeighbourCorrelations rho : {NeighbourCorrelations{0.6, 0}, {0.9, 0.3}, {0.3, 0.8}})
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      const std::vector<double> deviations = drawn(runs, rho, seed);
+      const NeighbourCorrelations found = choose_correlations(runs, deviations, one).correlations;
+      const auto likelihood = [&](double first) {
+        std::array<ScaledCorrelations, kTrials> trials;
+        trials.fill({{first, found.second}});
+        const Independent at = independent(runs, deviations, trials);
+        return -(at.n[0] * std::log(at.squares[0] / at.n[0]) + at.log_determinant[0]) / 2;
+      };
+      ASSERT_GT(found.first, 0);
+      for (const double off : {-2e-4, 2e-4})
+        EXPECT_GT(likelihood(found.first), likelihood(found.first + off)) << rho.first << " " << seed;
+    }
+}
+
 TEST(Correlations, AreNoneOfIndependentDeviations) {
   const TwoProcesses runs = turning(5, 40);
   int any = 0;
@@ -138,7 +157,6 @@ TEST(Correlations, AreNoneOfIndependentDeviations) {
   EXPECT_LE(any, 6);  // ln 200 = 5.3 for one parameter more: two of 100 by chance for two correlations of one sign
 }
 
-/// One that both share must be worth its price itself, not only about as likely as one that is.
 /// Small correlations of many points: ln L is lower at 0.3 than at 0.
 TEST(Correlations, AreFoundWhereTheyAreSmall) {
   const TwoProcesses made = turning(8, 200);
@@ -148,6 +166,7 @@ TEST(Correlations, AreFoundWhereTheyAreSmall) {
   EXPECT_GE(found, 18);  // 0.12 is 4.8 standard errors; the price in ln L is one of 2.7
 }
 
+/// One that both share must be worth its price itself, not only about as likely as one that is.
 TEST(Correlations, AreSharedOnlyWhereThatIsBetterThanNone) {
   const TwoProcesses runs = turning(3, 30);
   int any = 0, alike = 0;
