@@ -22,8 +22,8 @@ template <class Loop>
 }
 
 /// Runs a loop over doubles in the widest vectors that the processor has: eight, four or two. The build allows no fused
-/// multiply-add (-ffp-contract=off), so that the width changes no result but the last
-/// digits of vector forms of functions.
+/// multiply-add (-ffp-contract=off), so that the width changes no result but the last digits of vector forms of
+/// functions.
 template <class Loop>
 auto in_vectors(const Loop& loop) {
   if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) return in_eights(loop);

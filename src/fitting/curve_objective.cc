@@ -72,14 +72,6 @@ bool CurveObjective::part_of(std::size_t part, std::span<const double> x, std::v
   return true;
 }
 
-bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
-  const CurveObjective* const some = sample();
-  if (!some)
-    return all_blocks(x, points_, Search::rough, with_axes({residuals, {}, {}})) && add_pull_off(x, residuals, {});
-  std::fill(residuals.begin(), residuals.end(), 0.0);
-  return some->evaluate_roughly(x, residuals.first(some->residual_count())) && add_pull_off(x, residuals, {});
-}
-
 bool CurveObjective::residuals_of(std::span<const double> x, std::span<double> residuals, std::span<double> jacobian,
                                   std::span<double> places) const {
   if (!all_blocks(x, points_, Search::global, with_axes({residuals, jacobian, places}))) return false;

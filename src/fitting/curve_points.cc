@@ -1,4 +1,4 @@
-// Prepares the points of a CurveObjective: their order, their blocks, and the norm of the data.
+// Prepares the points of a CurveObjective: their order, their blocks, the norm of the data, and a sample of them.
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -65,6 +65,14 @@ const CurveObjective* CurveObjective::sample() const {
     sample_ = std::make_unique<CurveObjective>(std::move(points), choice_, std::vector<double>(), nullptr, shifts_);
   });
   return sample_.get();
+}
+
+bool CurveObjective::evaluate_roughly(std::span<const double> x, std::span<double> residuals) const {
+  const CurveObjective* const some = sample();
+  if (!some)
+    return all_blocks(x, points_, Search::rough, with_axes({residuals, {}, {}})) && add_pull_off(x, residuals, {});
+  std::fill(residuals.begin(), residuals.end(), 0.0);
+  return some->evaluate_roughly(x, residuals.first(some->residual_count())) && add_pull_off(x, residuals, {});
 }
 
 /// Numbers the rows of measured axes.

@@ -155,7 +155,7 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   if (free && x.empty()) return true;
   ErrorModels models;
   ErrorsAhead ahead;
-  bool ended = false, creeps = false;
+  bool ended = false;
   if (errors.source_T == ErrorSource::scatter) models.T = errors.model_T;
   if (errors.source_A == ErrorSource::scatter) models.A = errors.model_A;
   double largest = 0;  // change of the last rounds
@@ -242,7 +242,6 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     if (!by_run &&
         (apart || (round < choosing && round % weighting == 0 && (round > 0 || !(many || known)) && !shared)))
       own = take_runs_apart(x, *nearest, leverage, models, apart, by_neighbours);
-    ended |= round >= refining || (round > choosing && last_change < (creeps ? kCreeps : kResolved));
     const Stage stage = round < weighting  ? Stage::weighting
                         : round < choosing ? Stage::choosing
                         : ended            ? Stage::ending
@@ -273,7 +272,8 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     // What all further rounds would change, if each changes as many times less as this one.
     const double ratio = change / std::exchange(last_change, change),
                  left = ratio < kSteady ? change * ratio / (1 - ratio) : change;
-    creeps = round > choosing + 1 && ratio > kHardlyLess;
+    const bool creeps = round > choosing + 1 && ratio > kHardlyLess;
+    ended |= round + 1 >= refining || (round >= choosing && change < (creeps ? kCreeps : kResolved));
     if (left <= settled && round > choosing) break;
     if (many) {
       const double earlier = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
