@@ -209,18 +209,23 @@ Candidate CurveObjective::of_run(const Candidate& of_all, std::size_t run) const
 
 /// Fills the arrays of a block with scaled points, and sets where the search for the nearest places starts: at `from`,
 /// or if that is null where the points know it.
-void CurveObjective::scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin,
-                                 Search search, const NearestPlaces* from, Workspace& workspace,
+void CurveObjective::scale_block(const Constants& constants, const ConstantsScale& of_all, const MeasuredPoints& points,
+                                 std::size_t begin, Search search, const NearestPlaces* from, Workspace& workspace,
                                  CurveDistances& out) const {
   const std::size_t n = out.r.size();
-  ConstantsScale scale(constants);
+  const ConstantsScale same = of_all;
   const auto array = [&](std::size_t which) { return workspace.array(which, n).data(); };
   double *const P = array(0), *const T = array(1), *const A = array(2), *const sigma_T = array(3),
                 *const sigma_A = array(4);
-  const auto begin_near = [&](std::size_t i, const ConstantsScale& by, double near_T, double near_A) {
-    if (out.place_A[i] > 0) return;
-    out.place_T[i] = std::abs(by.shear(near_T));
-    out.place_A[i] = by.true_area(near_A);
+  // Array by array, which compilers make vectors of.
+  const auto begin_near = [&out, same](const double* __restrict near_T, const double* __restrict near_A) {
+    double *const __restrict place_T = out.place_T.data(), *const __restrict place_A = out.place_A.data();
+    for (std::size_t i = 0; i < out.r.size(); ++i) {
+      const bool known = place_A[i] > 0;
+      const double T = std::abs(same.shear(near_T[i])), A = same.true_area(near_A[i]);
+      place_T[i] = known ? place_T[i] : T;
+      place_A[i] = known ? place_A[i] : A;
+    }
   };
   const auto has_near = [&](double first_A) {
     if (search == Search::rough || !(first_A > 0)) return false;
@@ -232,15 +237,15 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   };
   if (!listed_.empty() && &points == &points_ && !has_changes(constants) && !from) {
     const auto listed = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
-    for (std::size_t i = 0; i < n; ++i) {
-      P[i] = scale.load(listed(0)[i]);
-      T[i] = scale.shear(listed(1)[i]);
-      A[i] = scale.true_area(listed(2)[i]);
-      sigma_T[i] = scale.shear_force * listed(3)[i];
-      sigma_A[i] = scale.area * listed(4)[i];
-    }
-    const bool near = has_near(listed(6)[0]);
-    for (std::size_t i = 0; near && i < n; ++i) begin_near(i, scale, listed(5)[i], listed(6)[i]);
+    const auto each = [n](double* __restrict to, const double* __restrict from, const auto& scaled) {
+      for (std::size_t i = 0; i < n; ++i) to[i] = scaled(from[i]);
+    };
+    each(P, listed(0), [same](double x) { return same.load(x); });
+    each(T, listed(1), [same](double x) { return same.shear(x); });
+    each(A, listed(2), [same](double x) { return same.true_area(x); });
+    each(sigma_T, listed(3), [same](double x) { return same.shear_force * x; });
+    each(sigma_A, listed(4), [same](double x) { return same.area * x; });
+    if (has_near(listed(6)[0])) begin_near(listed(5), listed(6));
     return;
   }
   const PointArrays arrays = workspace.points(n);
@@ -252,8 +257,11 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
   const bool varies = varies_ || has_changes(constants), near = has_near(arrays.near_A[0]);
   if (varies) {
     for (std::size_t i = 0; i < n; ++i) {
-      scale = ConstantsScale(constants, points.at(index_of(begin + i)).place);
-      if (near) begin_near(i, scale, arrays.near_T[i], arrays.near_A[i]);
+      const ConstantsScale scale(constants, points.at(index_of(begin + i)).place);
+      if (near && !(out.place_A[i] > 0)) {
+        out.place_T[i] = std::abs(scale.shear(arrays.near_T[i]));
+        out.place_A[i] = scale.true_area(arrays.near_A[i]);
+      }
       P[i] = scale.load(P[i]);
       T[i] = scale.shear(T[i]);
       A[i] = scale.true_area(A[i]);
@@ -262,8 +270,7 @@ void CurveObjective::scale_block(const Constants& constants, const MeasuredPoint
     }
     return;
   }
-  const ConstantsScale same = scale;  // array by array, which compilers make vectors of
-  for (std::size_t i = 0; near && i < n; ++i) begin_near(i, same, arrays.near_T[i], arrays.near_A[i]);
+  if (near) begin_near(arrays.near_T.data(), arrays.near_A.data());
   for (std::size_t i = 0; i < n; ++i) P[i] = same.load(P[i]);
   for (std::size_t i = 0; i < n; ++i) T[i] = same.shear(T[i]);
   for (std::size_t i = 0; i < n; ++i) A[i] = same.true_area(A[i]);
@@ -286,7 +293,9 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     out.place_A = array(12);
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
   }
-  scale_block(at.constants, points, begin, search, wanted.from_nearest ? wanted.nearest : nullptr, workspace, out);
+  const ConstantsScale of_all(at.constants);
+  scale_block(at.constants, of_all, points, begin, search, wanted.from_nearest ? wanted.nearest : nullptr, workspace,
+              out);
   OfAxes axes;
   PlanePoints plane{array(0), array(1), array(2), array(3), array(4)};
   if (!wanted.axes.empty() && points.axes) axes.add(*this, points, begin, n, p, plane, out);
@@ -294,9 +303,6 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   const bool held = model().holds_approach();
   if (held) approach.add(*this, at.constants, points, begin, n, axes, plane, out);
   const auto P = array(0), T = array(1), A = array(2), sigma_T = array(3), sigma_A = array(4);
-  bool positive = true;
-  for (std::size_t i = 0; i < n; ++i) positive &= A[i] > 0;
-  if (!positive) return false;
   const bool in_order = range.first || order_.empty(), in_place = in_order && !wanted.halves,
              all_in_place = in_place && !wanted.jacobian.empty() && width == p && choice_.constants().empty();
   if (in_place) out.r = wanted.residuals.subspan(first_row, n);
@@ -324,7 +330,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
   }
   if (choice_.constants().empty() && !wanted.nearest) return true;
   const bool varies = varies_ || has_changes(at.constants), places_act = varies || choice_.has_changes();
-  ConstantsScale scale(at.constants);
+  ConstantsScale scale = of_all;
   PointPlace place{};
   const auto slopes_of = [&](std::size_t i) {
     const auto of_error = [&](double slope, double sigma) { return -out.r[i] * slope * slope * sigma * sigma; };
@@ -353,7 +359,7 @@ bool CurveObjective::one_block(const Candidate& at, const MeasuredPoints& points
     if (varies) scale = ConstantsScale(at.constants, place);
     if (wanted.nearest) {
       const double load_T = std::copysign(out.dT[i], out.dT[i] * T[i]) * sigma_T[i];  // equilibrium knows |T| alone
-      const double load_A = out.dA[i] * sigma_A[i], size = std::hypot(load_T, load_A);
+      const double load_A = out.dA[i] * sigma_A[i], size = std::sqrt(load_T * load_T + load_A * load_A);  // about 1
       wanted.nearest->T[to(i)] = scale.measured_shear(out.place_T[i]);
       wanted.nearest->A[to(i)] = scale.measured_area(out.place_A[i]);
       wanted.nearest->load_T[to(i)] = load_T / size;

@@ -106,8 +106,9 @@ class CurveObjective final : public ModelProblem {
   }
   bool some_blocks(std::span<const double> x, const MeasuredPoints& points, const Range& range, Search search,
                    const Wanted& wanted) const;
-  void scale_block(const Constants& constants, const MeasuredPoints& points, std::size_t begin, Search search,
-                   const NearestPlaces* from, Workspace& workspace, CurveDistances& out) const;
+  void scale_block(const Constants& constants, const ConstantsScale& of_all, const MeasuredPoints& points,
+                   std::size_t begin, Search search, const NearestPlaces* from, Workspace& workspace,
+                   CurveDistances& out) const;
   /// The parameters of a run, clamped to their ranges.
   Candidate of_run(const Candidate& of_all, std::size_t run) const;
   bool one_block(const Candidate& at, const MeasuredPoints& points, std::size_t begin, std::size_t end,

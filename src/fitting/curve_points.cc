@@ -167,7 +167,11 @@ void CurveObjective::sort_points() {
     const std::size_t end = k + 1 < stretches.size() ? stretches[k + 1].begin : points_.size;
     for (std::size_t i = stretches[k].begin; i < end; ++i) order_.push_back(static_cast<std::uint32_t>(i));
   }
-  list_points();
+  std::vector<double> by_rank;
+  by_rank.reserve(listed_.size());
+  for (std::size_t array = 0; array < listed_.size(); array += n)
+    for (const std::uint32_t i : order_) by_rank.push_back(listed_[array + i]);
+  listed_.swap(by_rank);
 }
 
 }  // namespace mixity

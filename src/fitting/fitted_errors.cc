@@ -47,7 +47,8 @@ double evaluate_errors(const Dataset& data, const PointIndices& used, NearestPla
     const auto error = [&](std::size_t point, double value) {
       const bool scaled = estimated && !errors.run_factors.empty();
       const double factor = scaled ? errors.run_factors[data.points[point].curve] : 1;
-      return std::max(std::hypot(factor * model->at(value), rounding), least);
+      const double found = factor * model->at(value);
+      return std::max(rounding > 0 ? std::hypot(found, rounding) : found, least);
     };
     std::vector<double> before;
     if (!all) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fitting/causes.h"
+#include "fitting/consistency.h"
 #include "fitting/explanations.h"
 #include "fitting/fitted_errors.h"
 #include "fitting/fitted_parameters.h"
@@ -101,9 +102,10 @@ FitResult Fitter::run() {
   suspect_wide_errors();
   if (checked()) test_residuals(x);
   // An explanation whose residuals fail is dropped: whether its runs differ is of no interest.
-  if (some && purpose_ == Purpose::tried && explains(data_, result_)) {
+  if (some && purpose_ == Purpose::tried && !result_.residuals.empty()) {
+    result_.consistency = test_consistency(data_, result_);
     prepared_.used = result_.used;  // finished() has moved them
-    test_runs(x);
+    if (explains(data_, result_)) test_runs(x);
   }
   return std::move(result_);
 }

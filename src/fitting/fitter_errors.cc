@@ -69,9 +69,9 @@ Verdict Fitter::minimum_with_its_errors() {
       verdict.message = "given up: it explains nothing";
       return verdict;
     }
-    // The deviations of the runs are linearised here and are invalid elsewhere.
+    // The deviations of the runs are linearised here and are invalid elsewhere; a trial need not look elsewhere.
     const std::vector<double> near = starting_.near;
-    if (described && !options_.by_run.empty()) starting_.near = x;
+    if (described && (!options_.by_run.empty() || purpose_ == Purpose::tried)) starting_.near = x;
     Verdict verdict = minimum_of(*problem_);
     starting_.near = near;
     // The errors may have been found, or the residuals judged, in a basin that is not the lowest. Where they are as
@@ -292,7 +292,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     }
   }
   if (!free || !starting_.near.empty()) return true;
-  if (many) starting_.guesses.clear();  // the rounds began at the best of them
+  if (many)
+    starting_.guesses.clear();  // the rounds began at the best of them
+  else if (!starting_.guesses.empty())
+    starting_.guesses.pop_back();  // they began there
   starting_.guesses.push_back(x);
   return true;
 }

@@ -32,8 +32,9 @@ Eigen::VectorXd free_spreads(const RunRows& rows, const Groups& groups) {
 bool any_differs(const RunRows& rows, const Groups& groups, double rest) {
   const std::vector<double> course(groups.size(), 1.0);
   bool differ = false;
+  const GroupedRows grouped = grouped_rows(rows.J, rows.r, rows.Zw, groups);
   for (Eigen::Index q = 0; q < rows.Zw.cols(); ++q) {
-    const auto test = test_groups(grouped_rows(rows.J, rows.r, rows.Zw.col(q), groups), course);
+    const auto test = test_groups(grouped, course, q);
     if (!test || !(test->fall > 0) || !(rest > test->directions)) continue;
     const double left = (rows.r.squaredNorm() - test->fall) / (rest - test->directions);
     differ |= fisher_p_value(test->fall / test->directions / left, test->directions, rest - test->directions) < kChance;
@@ -256,9 +257,9 @@ void Fitter::test_runs(const std::vector<double>& x) {
   std::vector<double> course;
   for (const std::size_t run : runs)
     course.push_back(static_cast<double>(run) / static_cast<double>(data_.curves.size() - 1) - 0.5);
+  const GroupedRows grouped = grouped_rows(rows->J, rows->r, rows->Zw, groups);
   for (std::size_t q = 0; q < tested.size(); ++q) {
-    const Eigen::MatrixXd column = rows->Zw.col(static_cast<Eigen::Index>(q));
-    const auto test = test_groups(grouped_rows(rows->J, rows->r, column, groups), course);
+    const auto test = test_groups(grouped, course, static_cast<Eigen::Index>(q));
     if (!test || !(test->directions > 0)) continue;
     const double freedom = rest - test->directions;
     if (!judged_by_scatter || freedom > 0)

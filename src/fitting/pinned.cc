@@ -21,6 +21,9 @@ struct LineOfRun {
 /// Areas of a run against (T/T_largest)^2, both about their weighted means, relative to the mean area.
 class AreasOfRun {
  public:
+  explicit AreasOfRun(std::size_t points) {
+    for (std::vector<double>* const list : {&T2_, &A_, &weights_}) list->reserve(points);
+  }
   /// `sigma`: of the area; 0: proportional errors.
   void add(const Point& point, double sigma) {
     T2_.push_back(point.T * point.T);
@@ -103,7 +106,7 @@ bool areas_stay(const Dataset& data, const PointIndices& used, std::span<const d
   std::vector<LineOfRun> of_runs(runs.runs());
   runs.for_each_run([&](std::size_t g) {
     if (static_cast<double>(runs.size(g)) < kEnough) return;
-    AreasOfRun run;
+    AreasOfRun run(runs.size(g));
     for (std::size_t k = 0; k < runs.size(g); ++k) {
       const std::size_t point = used[runs.at(g, k)];
       run.add(data.points[point], sigma_A.empty() ? 0 : sigma_A[point]);

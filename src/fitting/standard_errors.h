@@ -39,7 +39,7 @@ constexpr std::string_view to_string(ErrorSource source) {
 /// The standard error sqrt(constant^2 + (share x)^2) of a reading whose true value is x. constant: in the unit of x.
 struct ErrorModel {
   double constant = 0, share = 0;
-  double at(double x) const { return std::hypot(constant, share * x); }
+  double at(double x) const { return std::sqrt(constant * constant + share * x * (share * x)); }
 };
 
 /// Names of quantities that differ from run to run by chance: the model's first parameter, or constants.

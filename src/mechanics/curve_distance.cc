@@ -98,17 +98,29 @@ class Distances {
 
   /// Writes the open points of the block whose places are nearest, or need not be, and closes them.
   bool write_nearest(std::size_t from, std::size_t count) {
-    if (open_ == count && all_inside()) {
+    const OfAll all = in_vectors([&] { return of_all(block_, result_, derivatives_, family_.p.size()); });
+    if (open_ == count && all.sure && all.inside) {
       open_ = 0;
-      return write_all(from, count);
+      write_all(from, count);
+      return all.finite;
     }
+    std::array<bool, kBlock> found{};
+    std::size_t closed = 0;
     for (std::size_t slot = 0; slot < count; ++slot) {
       if (!is_open_[slot]) continue;
       const bool enough = search_ == Search::rough || (search_ == Search::local && is_settled(slot));
-      if (!(result_.sure[slot] > 0 || enough || is_nearest(slot))) continue;
+      found[slot] = result_.sure[slot] > 0 || enough || is_nearest(slot);
+      closed += found[slot];
+    }
+    open_ -= closed;
+    if (closed == count && all.inside) {
+      write_all(from, count);
+      return all.finite;
+    }
+    for (std::size_t slot = 0; slot < count; ++slot) {
+      if (!found[slot]) continue;
       if (!write(block_, result_, slot, from + slot)) return false;
       is_open_[slot] = false;
-      --open_;
     }
     return true;
   }
@@ -265,46 +277,22 @@ class Distances {
     return true;
   }
 
-  /// Whether all points of the block are proven to be nearest to a place between the ends of the curve.
-  bool all_inside() const {
-    std::int64_t all = -1;
-    for (std::size_t slot = 0; slot < kBlock; ++slot)
-      all &= mask(result_.sure[slot] > 0) & mask(block_.settled[slot] > 0) & ~mask(block_.at_end[slot] > 0);
-    return all != 0;
-  }
-
-  /// Of all slots: idle ones repeat the last.
-  static bool are_finite(const Packed& values) {
-    std::int64_t all = -1;
-    for (const double value : values) all &= mask(std::abs(value) <= std::numeric_limits<double>::max());
-    return all != 0;
-  }
-
-  /// The same as write() for each of these points.
-  bool write_all(std::size_t from, std::size_t count) {
-    bool finite = true;
-    const auto copy = [&](const Packed& values, double* __restrict to) {
-      std::copy_n(values.begin(), count, to);
-      finite &= are_finite(values);
-    };
-    copy(result_.r, &out_.r[from]);
-    if (!out_.place_A.empty()) {
-      std::copy_n(block_.T.begin(), count, &out_.place_T[from]);
-      std::copy_n(block_.A.begin(), count, &out_.place_A[from]);
-    }
-    finite &= are_finite(result_.dA);
-    if (!derivatives_) return finite;
-    copy(result_.dP, &out_.dP[from]);
-    copy(result_.dT, &out_.dT[from]);
-    copy(result_.dA, &out_.dA[from]);
-    for (std::size_t slot = 0; slot < count; ++slot) out_.dT[from + slot] *= std::copysign(1.0, points_.T[from + slot]);
+  /// The same as write() for each of these points, whose places are between the ends of the curves.
+  void write_all(std::size_t from, std::size_t count) {
     const std::size_t p = family_.p.size();
-    for (std::size_t k = 0; k < p; ++k) {
-      for (std::size_t slot = 0; slot < count; ++slot)
-        out_.parameters[(from + slot) * p + k] = result_.parameters[k][slot];
-      finite &= are_finite(result_.parameters[k]);
-    }
-    return finite;
+    const auto at = [from](std::span<double> values) { return values.empty() ? nullptr : &values[from]; };
+    const WrittenArrays to{&points_.T[from],
+                           &out_.r[from],
+                           at(out_.place_T),
+                           at(out_.place_A),
+                           derivatives_ ? &out_.dP[from] : nullptr,
+                           derivatives_ ? &out_.dT[from] : nullptr,
+                           derivatives_ ? &out_.dA[from] : nullptr,
+                           derivatives_ ? &out_.parameters[from * p] : nullptr};
+    in_vectors([&] {
+      if (count == kBlock) return write_slots(block_, result_, kBlock, p, to);
+      write_slots(block_, result_, count, p, to);
+    });
   }
 
   bool write(Block& block, Result<Law>& result, std::size_t slot, std::size_t i) {

@@ -64,6 +64,53 @@ MIXITY_LOOP bool fill_slots(const BlockArrays points, Block& __restrict block) {
   }
   return all != 0;
 }
+
+/// What holds for all slots of a block; idle ones repeat the last.
+struct OfAll {
+  bool sure, inside, finite;  // proven to be nearest; settled between the ends of the curves; with their derivatives
+};
+/// `p`: the number of parameters, for which there may be more arrays.
+template <class Law>
+MIXITY_LOOP OfAll of_all(const Block& block, const Result<Law>& result, bool derivatives, std::size_t p) {
+  std::int64_t sure = -1, inside = -1, finite = -1;
+  const auto check = [&finite](const Packed& values) {
+    for (std::size_t i = 0; i < kBlock; ++i)
+      finite &= mask(std::abs(values[i]) <= std::numeric_limits<double>::max());
+  };
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    sure &= mask(result.sure[i] > 0);
+    inside &= mask(block.settled[i] > 0) & ~mask(block.at_end[i] > 0);
+  }
+  check(result.r);
+  check(result.dA);
+  if (derivatives) {
+    check(result.dP);
+    check(result.dT);
+    for (std::size_t k = 0; k < p; ++k) check(result.parameters[k]);
+  }
+  return {sure != 0, inside != 0, finite != 0};
+}
+
+/// The arrays that a block is written to; null are derivatives or places that are not wanted.
+struct WrittenArrays {
+  const double* T_point;  // measured, with their signs
+  double *r, *T, *A, *dP, *dT, *dA, *parameters;
+};
+
+template <class Law>
+MIXITY_LOOP void write_slots(const Block& block, const Result<Law>& result, std::size_t count, std::size_t p,
+                             const WrittenArrays& to) {
+  for (std::size_t i = 0; i < count; ++i) to.r[i] = result.r[i];
+  for (std::size_t i = 0; to.A && i < count; ++i) to.T[i] = block.T[i];
+  for (std::size_t i = 0; to.A && i < count; ++i) to.A[i] = block.A[i];
+  if (!to.dA) return;
+  for (std::size_t i = 0; i < count; ++i) to.dP[i] = result.dP[i];
+  for (std::size_t i = 0; i < count; ++i) to.dT[i] = result.dT[i] * std::copysign(1.0, to.T_point[i]);
+  for (std::size_t i = 0; i < count; ++i) to.dA[i] = result.dA[i];
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < p; ++k) to.parameters[i * p + k] = result.parameters[k][i];
+}
+
 /// Starts all slots at these places. False if one has none.
 MIXITY_LOOP bool begin_slots(const double* __restrict T, const double* __restrict A, Block& __restrict block) {
   std::int64_t all = -1;

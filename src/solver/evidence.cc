@@ -48,6 +48,8 @@ class LogDensity {
   /// With an unknown unit the density is a power of a sum of squares, which is easier to interpolate than its
   /// logarithm. `below`: the logarithm of the density relative to the peak.
   double smooth(double below) const { return power() > 0 ? std::exp(-below / power()) : below; }
+  /// Its derivative, given that of the logarithm.
+  double smooth_slope(double smooth, double slope) const { return power() > 0 ? -smooth / power() * slope : slope; }
   double below(double smooth) const { return power() > 0 ? -power() * std::log(smooth) : smooth; }
   /// Standard errors from the peak where a density without curvature of its own has fallen by e^-fall.
   double distance_of(double fall) const {
@@ -57,14 +59,32 @@ class LogDensity {
   double error_of(double smooth) const { return power() > 0 ? power() * smooth : smooth; }
   void begin() { profile_.begin(0); }
 
-  /// Minus infinity where the cost is not finite.
-  double operator()(double u) {
+  /// A value of the density, with its slope where there is a single parameter. Minus infinity where the cost is not
+  /// finite.
+  struct Value {
+    double u, density, slope = 0;
+  };
+  bool has_slopes() const { return problem_.parameters().size() == 1; }
+  Value operator()(double u) {
     const double none = -std::numeric_limits<double>::infinity();
     constexpr int kMostUnsettled = 5;  // values, each after hundreds of steps: such a density cannot be integrated
-    if (unsettled_ > kMostUnsettled) return none;
-    const auto here = profile_(problem_.parameters()[0].clamped(outer(u)));
-    if (!here) return none;
+    if (unsettled_ > kMostUnsettled) return {u, none};
+    const double x = problem_.parameters()[0].clamped(outer(u));
+    const auto here = profile_(x);
+    if (!here) return {u, none};
     unsettled_ += !here->settled;
+    const double density = of_cost(here->cost);
+    if (!has_slopes()) return {u, density};
+    const double per_cost = -0.5 * (choice_.unit == 0 ? 1 : n_ / here->cost);
+    return {u, density, per_cost * here->slope * (logarithmic() ? x : 1)};
+  }
+
+ private:
+  double power() const { return choice_.unit == 0 ? 0 : 0.5 * n_; }
+
+  /// The density at the profile's present point.
+  double of_cost(double cost) const {
+    const double none = -std::numeric_limits<double>::infinity();
     double of_priors = 0, of_others = 0;
     const std::size_t p = problem_.parameters().size();
     for (std::size_t k = 1; k < p; ++k)
@@ -76,14 +96,11 @@ class LogDensity {
       if (!found) return none;
       of_others = *found;
     }
-    if (choice_.unit == 0) return -0.5 * here->cost - 0.5 * of_others;
+    if (choice_.unit == 0) return -0.5 * cost - 0.5 * of_others;
     // averaging over the unit leaves S^(-n/2), where S is the data's sum of squares
-    const double squares = (here->cost - of_priors) * choice_.unit * choice_.unit;
+    const double squares = (cost - of_priors) * choice_.unit * choice_.unit;
     return squares > 0 ? -0.5 * n_ * std::log(squares) - 0.5 * of_priors - 0.5 * of_others : none;
   }
-
- private:
-  double power() const { return choice_.unit == 0 ? 0 : 0.5 * n_; }
 
   const Problem& problem_;
   EvidenceOptions choice_;
@@ -99,6 +116,26 @@ class Interpolated {
     for (std::size_t i = 0; i < points; ++i) {
       nodes_.push_back(0.5 * (low + high) + 0.5 * (low - high) * std::cos(angle(i)));
       weights_.push_back((i % 2 == 0 ? 1 : -1) * (i == 0 || i + 1 == points ? 0.5 : 1));
+    }
+  }
+  /// The polynomial that has these values and these slopes, too (Hermite). It has twice as many nodes.
+  Interpolated(const Interpolated& values, const std::vector<double>& slopes)
+      : Interpolated(values.nodes_.front(), values.nodes_.back(), 2 * values.size()) {
+    const std::vector<double>& nodes = values.nodes_;
+    std::vector<double> basis_slopes(nodes.size());  // of each of Lagrange's polynomials at its own node
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = 0; j < nodes.size(); ++j)
+        if (j != i) basis_slopes[i] -= values.weights_[j] / values.weights_[i] / (nodes[i] - nodes[j]);
+    values_.front() = values.values_.front();
+    values_.back() = values.values_.back();
+    for (std::size_t k = 1; k + 1 < values_.size(); ++k) {  // only the ends coincide with nodes of the values
+      double sum = 0, below = 0;
+      for (std::size_t i = 0; i < nodes.size(); ++i) below += values.weights_[i] / (nodes_[k] - nodes[i]);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double off = nodes_[k] - nodes[i], basis = values.weights_[i] / off / below;
+        sum += basis * basis * ((1 - 2 * basis_slopes[i] * off) * values.values_[i] + off * slopes[i]);
+      }
+      values_[k] = sum;
     }
   }
 
@@ -149,47 +186,48 @@ using Moments = Eigen::Array3d;
 /// The density over the range where it is not negligible.
 class Posterior {
  public:
-  struct Value {
-    double u, density;
-  };
-
   Posterior(const LogDensity& density, double peak) : density_(density), peak_(peak) {}
 
   /// Interpolates the logarithm of the density between two of its values. False if the largest number of points does
   /// not suffice. `width`: of the peak, if known.
-  bool sample(LogDensity& density, Value low, Value high, std::optional<double> width) {
-    constexpr std::size_t kFewest = 9, kDoubtful = 65, kMost = 257;
+  bool sample(LogDensity& density, LogDensity::Value low, LogDensity::Value high, std::optional<double> width) {
+    // Values with slopes determine a polynomial of twice the degree.
+    const std::size_t each = density.has_slopes() ? 2 : 1, fewest = 8 / each + 1, doubtful = 64 / each + 1,
+                      most = 256 / each + 1;
     constexpr double kLeftOut = 5e-7;  // error of the logarithm: relative error of the density
     constexpr double kSteep = 3e-5;    // where their fall is believed: a kink would leave coefficients of its size
     constexpr double kScatter = 1e-5;
-    constexpr double kEnough = 1e-3;
+    // Of a density with a kink: coefficients of this size leave out up to 1e-3. Each doubling takes a half at least.
+    const double enough = density.has_slopes() ? 5e-5 : 1e-3, within_reach = 16 * enough;
+    // Without scatter the density may be as narrow as the rounding of its parameter.
+    const double resolved = 1e4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low.u), std::abs(high.u));
+    if (!(high.u - low.u > resolved)) return false;
+    std::vector<LogDensity::Value> values{low, high};
     std::optional<Interpolated> before;
-    for (std::size_t n = kFewest; n <= kMost; n = 2 * n - 1) {
-      Interpolated now(low.u, high.u, n);
-      density.begin();
+    for (std::size_t n = fewest; n <= most; n = 2 * n - 1) {
+      Interpolated points(low.u, high.u, n);
+      values = with_more(std::move(values), points, density);
+      std::vector<double> slopes;
       for (std::size_t i = 0; i < n; ++i) {
-        const bool known = before && i % 2 == 0;
-        now.value(i) = known ? before->value(i / 2)
-                             : density.smooth((i == 0       ? low.density
-                                               : i + 1 == n ? high.density
-                                                            : density(now.node(i))) -
-                                              peak_);
-        if (!std::isfinite(now.value(i))) return false;
+        points.value(i) = density.smooth(values[i].density - peak_);
+        slopes.push_back(density.smooth_slope(points.value(i), values[i].slope));
+        if (!std::isfinite(points.value(i)) || !std::isfinite(slopes.back())) return false;
       }
+      Interpolated now = density.has_slopes() ? Interpolated(points, slopes) : std::move(points);
       const double error = density.error_of(now.tail()), error_before = before ? density.error_of(before->tail()) : 0;
       // Coefficients that fall steeply leave out what follows in proportion.
       const double falls = error / std::max(error, density.error_of(now.tail(2)));
+      const bool first = !before || before->size() == each * fewest;
       before = std::move(now);
       if (error <= kSteep && falls * error <= kLeftOut) break;
       // Values that are themselves only known to this are not interpolated better by more of them.
-      if (error <= kLeftOut || (error_before <= kScatter && error > 0.2 * error_before && before->size() > kFewest))
-        break;
+      if (error <= kLeftOut || (error_before <= kScatter && error > 0.2 * error_before && !first)) break;
       // For a smooth density the error is squared each time. With kinks, as where a point's nearest place comes to an
       // end of the law's curve, it falls by a factor, which will not do in time: what is enough for three digits is
       // taken.
-      const double factor = error / error_before, at_most = error * std::pow(factor, std::log2((kMost - 1) / (n - 1)));
-      if (n >= kDoubtful && at_most > kLeftOut && error <= kEnough) break;
-      if (n == kMost || (n >= kDoubtful && error > 0.2 * error_before)) return false;
+      const double factor = error / error_before, at_most = error * std::pow(factor, std::log2((most - 1) / (n - 1)));
+      if (n >= doubtful && at_most > kLeftOut && error <= enough) break;
+      if (n == most || (n >= doubtful && error > 0.2 * error_before && error > within_reach)) return false;
     }
     interpolated_ = std::move(before);
     // for ends one peak width apart, ten points are exact
@@ -224,6 +262,16 @@ class Posterior {
   }
 
  private:
+  /// The values at all of these points; known are those at the ends, or at every other point.
+  static std::vector<LogDensity::Value> with_more(std::vector<LogDensity::Value> known, const Interpolated& points,
+                                                  LogDensity& density) {
+    const std::size_t n = points.size(), step = (n - 1) / (known.size() - 1);
+    std::vector<LogDensity::Value> all;
+    density.begin();
+    for (std::size_t i = 0; i < n; ++i) all.push_back(i % step == 0 ? known[i / step] : density(points.node(i)));
+    return all;
+  }
+
   Moments between(double low, double high) const {
     using Gauss = boost::math::quadrature::gauss<double, 10>;
     constexpr std::size_t kHalf = std::tuple_size_v<std::remove_cvref_t<decltype(Gauss::abscissa())>>;
@@ -256,16 +304,17 @@ constexpr double kNothing = 24;
 constexpr double kLittle = 10;
 
 /// The place where the density has fallen by `fall`, or the bound. Null if it becomes infinite before.
-std::optional<Posterior::Value> reach(LogDensity& density, double bound, double step, double peak, double fall) {
+std::optional<LogDensity::Value> reach(LogDensity& density, double bound, double step, double peak, double fall) {
   const double direction = bound < density.start() ? -1 : 1;
   density.begin();
   double far = step;
   for (int i = 0; i < 200; ++i) {
-    const double beyond = density.start() + direction * far, u = (bound - beyond) * direction <= 0 ? bound : beyond,
-                 here = density(u);
-    if (!std::isfinite(here)) return std::nullopt;
-    if (peak - here > fall || u == bound) return Posterior::Value{u, here};
-    far *= std::clamp(1.05 * std::sqrt(fall / std::max(peak - here, 0.0)), 1.05, 1.5);  // a parabola's way
+    const double beyond = density.start() + direction * far, u = (bound - beyond) * direction <= 0 ? bound : beyond;
+    const LogDensity::Value here = density(u);
+    if (!std::isfinite(here.density)) return std::nullopt;
+    const double fallen = peak - here.density;
+    if (fallen > fall || u == bound) return here;
+    far *= std::clamp(1.05 * std::sqrt(fall / std::max(fallen, 0.0)), 1.05, 1.5);  // a parabola's way
   }
   return std::nullopt;
 }
@@ -279,18 +328,17 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
   LogDensity density(problem, best, choice, options);
   if (!(density.lower() < density.upper())) return std::nullopt;
   density.begin();
-  const double peak = density(density.start());
+  const double peak = density(density.start()).density;
   if (!std::isfinite(peak)) return std::nullopt;
   const double range = density.upper() - density.lower();
   const double width = standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
-  const Posterior::Value at_peak{density.start(), peak};
   std::optional<Posterior> found;
   for (const double fall : {kNothing, kLittle}) {
     const double far_off = 1.02 * density.distance_of(fall);  // standard errors; a little beyond, for curvature
     double step = far_off * width;
     if (!(step > 0 && step < range)) step = standard_error ? range : 1e-6 * range;
     const auto end = [&](double bound) {
-      return bound == at_peak.u ? std::optional(at_peak) : reach(density, bound, step, peak, fall);
+      return bound == density.start() ? std::optional(density(bound)) : reach(density, bound, step, peak, fall);
     };
     const auto low = end(density.lower()), high = end(density.upper());
     found.emplace(density, peak);

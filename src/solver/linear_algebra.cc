@@ -8,6 +8,21 @@ namespace mixity {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+/// A matrix that needs no memory of its own: most have a row for each of a few parameters.
+constexpr Eigen::Index kSmall = 8;
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSmall, kSmall>;
+
+template <class Result>
+Result solved(const MatrixXd& H, const Result& B) {
+  if (B.size() == 0) return B;
+  if (H.rows() <= kSmall) return Eigen::LDLT<Small>(H).solve(B);
+  return H.ldlt().solve(B);
+}
+
+}  // namespace
+
 MatrixXd qr_triangle(MatrixXd J) {
   const Eigen::Index rows = std::min(J.rows(), J.cols());
   MatrixXd R = MatrixXd::Zero(J.cols(), J.cols());
@@ -42,25 +57,34 @@ std::optional<MatrixXd> inverse_of_weighted_square(const MatrixXd& J, const Vect
 }
 
 std::optional<double> log_determinant(const MatrixXd& H) {
-  const Eigen::LLT<MatrixXd> factors(H);
-  if (factors.info() != Eigen::Success) return std::nullopt;
-  return 2 * factors.matrixLLT().diagonal().array().log().sum();
+  const auto of = [](const auto& factors) {
+    return factors.info() == Eigen::Success ? std::optional(2 * factors.matrixLLT().diagonal().array().log().sum())
+                                            : std::nullopt;
+  };
+  return H.rows() <= kSmall ? of(Eigen::LLT<Small>(H)) : of(Eigen::LLT<MatrixXd>(H));
 }
 
 VectorXd eigenvalues(const MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-Eigenvectors eigenvectors(const MatrixXd& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solved(symmetric);
-  return {solved.eigenvalues(), solved.eigenvectors()};
-}
+VectorXd solve_symmetric(const MatrixXd& H, const VectorXd& b) { return solved(H, b); }
 
-VectorXd solve_symmetric(const MatrixXd& H, const VectorXd& b) {
-  return b.size() == 0 ? b : VectorXd(H.ldlt().solve(b));
-}
+MatrixXd solve_columns(const MatrixXd& H, const MatrixXd& B) { return solved(H, B); }
 
-MatrixXd solve_columns(const MatrixXd& H, const MatrixXd& B) { return B.size() == 0 ? B : MatrixXd(H.ldlt().solve(B)); }
+SquareAlong square_along(const MatrixXd& S, const VectorXd& u, double least) {
+  const Eigen::LDLT<MatrixXd> factors(S);
+  const VectorXd pivots = factors.vectorD();
+  VectorXd rest = factors.transpositionsP() * u;
+  factors.matrixL().solveInPlace(rest);
+  SquareAlong found;
+  for (Eigen::Index i = 0; i < rest.size(); ++i) {
+    if (!(pivots[i] > least)) continue;
+    found.square += rest[i] * rest[i] / pivots[i];
+    ++found.directions;
+  }
+  return found;
+}
 
 VectorXd solve_any(const MatrixXd& H, const VectorXd& b) { return H.fullPivLu().solve(b); }
 

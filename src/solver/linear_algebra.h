@@ -40,17 +40,16 @@ std::optional<double> log_determinant(const Eigen::MatrixXd& H);
 /// Eigenvalues of a symmetric matrix, in ascending order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
-/// The same with eigenvectors in columns.
-struct Eigenvectors {
-  Eigen::VectorXd values;
-  Eigen::MatrixXd vectors;
-};
-Eigenvectors eigenvectors(const Eigen::MatrixXd& symmetric);
-
 /// Solves H x = b for a symmetric H of any size, also 0 (LDL').
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 /// The same for each column of B.
 Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& H, const Eigen::MatrixXd& B);
+/// u' S^-1 u over the directions of a positive semidefinite S, in which u lies, and their number: pivots of LDL' up to
+/// `least` are rounding.
+struct SquareAlong {
+  double square = 0, directions = 0;
+};
+SquareAlong square_along(const Eigen::MatrixXd& S, const Eigen::VectorXd& u, double least);
 /// Solves H x = b with full pivoting; H may be singular.
 Eigen::VectorXd solve_any(const Eigen::MatrixXd& H, const Eigen::VectorXd& b);
 

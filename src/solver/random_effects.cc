@@ -148,13 +148,31 @@ double satterthwaite(const GroupedRows& rows, const Vector& spread, const Restri
   return of_v > 0 ? 2 * v * v / of_v : std::numeric_limits<double>::infinity();
 }
 
+/// The same rows with this effect alone.
+GroupedRows with_one_effect(const GroupedRows& rows, Eigen::Index effect) {
+  GroupedRows one{rows.J_J, rows.J_r, rows.r_r, {}};
+  for (const GroupedRows::Group& group : rows.groups)
+    one.groups.push_back({group.Z_Z.block(effect, effect, 1, 1), group.J_Z.col(effect), group.Z_r.segment(effect, 1)});
+  return one;
+}
+
 }  // namespace
 
 GroupedRows grouped_rows(const Matrix& J, const Vector& r, const Matrix& Z, const Groups& groups) {
   GroupedRows rows{J.transpose() * J, J.transpose() * r, r.squaredNorm(), {}};
+  const Eigen::Index p = J.cols(), k = Z.cols();
+  Matrix all;  // of a group: of J, Z and r
   for (const auto& group : groups) {
-    const Matrix Z_g = Z(group, Eigen::all);
-    rows.groups.push_back({Z_g.transpose() * Z_g, J(group, Eigen::all).transpose() * Z_g, Z_g.transpose() * r(group)});
+    const auto n = static_cast<Eigen::Index>(group.size());
+    all.resize(n, p + k + 1);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto row = static_cast<Eigen::Index>(group[static_cast<std::size_t>(i)]);
+      for (Eigen::Index c = 0; c < p; ++c) all(i, c) = J(row, c);
+      for (Eigen::Index c = 0; c < k; ++c) all(i, p + c) = Z(row, c);
+      all(i, p + k) = r[row];
+    }
+    const Matrix sums = all.middleCols(p, k).transpose().lazyProduct(all);  // lazily: the matrices are small
+    rows.groups.push_back({sums.middleCols(p, k), sums.leftCols(p).transpose(), sums.col(p + k)});
   }
   return rows;
 }
@@ -203,17 +221,17 @@ Vector shares_of_noise(const Matrix& J, const Matrix& Z, const Groups& groups, c
   return shares;
 }
 
-std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course) {
-  constexpr double kNone = 1e-9;  // of the largest eigenvalue: a direction that the parameters already have
+std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course, Eigen::Index effect) {
+  constexpr double kNone = 1e-9;  // of the largest effect: a direction that the parameters already have
   const auto n = static_cast<Eigen::Index>(rows.groups.size());
   if (!log_determinant(rows.J_J)) return std::nullopt;
   Matrix C(rows.J_J.rows(), n);
   Vector d(n), u(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto& group = rows.groups[static_cast<std::size_t>(i)];
-    C.col(i) = group.J_Z.col(0);
-    d[i] = group.Z_Z(0, 0);
-    u[i] = group.Z_r[0];
+    C.col(i) = group.J_Z.col(effect);
+    d[i] = group.Z_Z(effect, effect);
+    u[i] = group.Z_r[effect];
   }
   const Matrix S = Matrix(d.asDiagonal()) - C.transpose() * solve_columns(rows.J_J, C);
   u -= C.transpose() * solve_symmetric(rows.J_J, rows.J_r);
@@ -227,14 +245,13 @@ std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const do
   };
   for (Eigen::Index i = 0; i < n; ++i) test.groups.push_back(one(Vector::Unit(n, i)));
   test.along = one(as_vector(course));
-  const auto [values, vectors] = eigenvectors(S);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (!(values[i] > kNone * d.maxCoeff())) continue;
-    test.fall += std::pow(vectors.col(i).dot(u), 2) / values[i];
-    ++test.directions;
-  }
+  const SquareAlong all = square_along(S, u, kNone * d.maxCoeff());
+  test.fall = all.square;
+  test.directions = all.directions;
   if (test.directions > 0) test.spread = std::sqrt(std::max(test.fall - test.directions, 0.0) / S.trace());
-  const Restricted without(rows, Vector::Zero(1)), with(rows, Vector::Constant(1, test.spread));
+  if (!(test.spread > 0)) return test;
+  const GroupedRows alone = with_one_effect(rows, effect);
+  const Restricted without(alone, Vector::Zero(1)), with(alone, Vector::Constant(1, test.spread));
   if (!with.determined) return test;
   const double variance = solve_symmetric(with.H, Vector::Unit(with.H.rows(), 0))[0];
   test.change = (with.step[0] - without.step[0]) / error;

@@ -63,8 +63,8 @@ struct GroupTest {
   double spread = 0;                // by moments (DerSimonian & Laird 1986)
   double change = 0, widening = 1;  // as above, for deviations with that spread
 };
-/// Rows with one effect; `course`: one number per group. Null if the parameters are not determined.
-std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course);
+/// Of this effect alone; `course`: one number per group. Null if the parameters are not determined.
+std::optional<GroupTest> test_groups(const GroupedRows& rows, std::span<const double> course, Eigen::Index effect = 0);
 
 /// Jackknife standard error of the first parameter, leaving out each group in turn, to first order (Tukey 1958); null
 /// for fewer than two groups, or where the rest does not determine the parameter.

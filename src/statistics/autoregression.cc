@@ -43,21 +43,40 @@ Trials evenly(double low, double high) {
   return x;
 }
 
-/// The x in [low, high] with the largest of the values(x), to about 1e-5 of their distance: by grids, each between the
-/// neighbours of the last one's best node, and the parabola through three nodes. `tried`: the first grid.
+/// Where the polynomial through these nodes is the highest, near the best of them, which has neighbours.
+double peak_of(const Trials& x, const Trials& values, std::size_t best) {
+  const double step = x[best + 1] - x[best], rise = values[best] - values[best - 1],
+               fall = values[best] - values[best + 1];
+  if (!(rise + fall > 0)) return x[best];
+  const double of_parabola = x[best] + step * (rise - fall) / (2 * (rise + fall));
+  Trials divided = values;  // differences (Newton)
+  for (std::size_t order = 1; order < kTrials; ++order)
+    for (std::size_t t = kTrials - 1; t >= order; --t)
+      divided[t] = (divided[t] - divided[t - 1]) / (x[t] - x[t - order]);
+  double peak = of_parabola;
+  for (int i = 0; i < 3; ++i) {
+    double value = divided[kTrials - 1], slope = 0, curvature = 0;
+    for (std::size_t t = kTrials - 1; t-- > 0;) {
+      curvature = curvature * (peak - x[t]) + 2 * slope;
+      slope = slope * (peak - x[t]) + value;
+      value = value * (peak - x[t]) + divided[t];
+    }
+    peak -= slope / curvature;
+  }
+  return std::abs(peak - of_parabola) < 0.5 * step ? peak : of_parabola;  // not where values have a kink
+}
+
+/// The x in [low, high] with the largest of the values(x), to about 1e-6 of their distance: by grids, each between the
+/// neighbours of the last one's best node, and the polynomial through the last. `tried`: the first grid.
 template <class Values>
 double highest_of(const Values& values, Trials tried) {
-  constexpr int kGrids = 4;
+  constexpr int kGrids = 3;
   for (int grid = 1;; ++grid) {
     const Trials found = values(tried);
     const auto best = static_cast<std::size_t>(std::max_element(found.begin(), found.end()) - found.begin());
-    const std::size_t below = best > 0 ? best - 1 : 0, above = std::min(best + 1, kTrials - 1);
-    if (grid == kGrids) {
-      const double rise = found[best] - found[below], fall = found[best] - found[above];
-      const bool inside = below < best && best < above && rise + fall > 0;
-      return tried[best] + (inside ? (tried[above] - tried[best]) * (rise - fall) / (2 * (rise + fall)) : 0);
-    }
-    tried = evenly(tried[below], tried[above]);
+    const bool inside = best > 0 && best + 1 < kTrials;
+    if (grid == kGrids) return inside ? peak_of(tried, found, best) : tried[best];
+    tried = evenly(tried[best > 0 ? best - 1 : 0], tried[std::min(best + 1, kTrials - 1)]);
   }
 }
 
@@ -199,20 +218,16 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
   const std::size_t n = some.deviations.size();
   const OfAnyUnit value(some.processes, some.deviations, second_factor);
   const double price = 0.5 * std::log(static_cast<double>(std::max<std::size_t>(n, 2)));
-  const double without = value(NeighbourCorrelations{});
+  // ln L rises by n r^2/2 at a small correlation r of the residuals: the first value is the smallest worth its price.
+  const double least = std::sqrt(2 * price / static_cast<double>(n));
+  const Trials of_few =
+      value({{{0, 0}, {least, 0}, {0, least}, {0.3, 0}, {0, 0.3}, {0.7, 0}, {0, 0.7}, {0, 0.92}}});
+  const double without = of_few[0];
   ChosenCorrelations best{{}, without};
   double most = without;
-  // ln L rises by n r^2/2 at a small correlation r of the residuals: the first value is the smallest worth its price.
-  OfAnyUnit::Many few;
-  std::size_t next = 0;
-  for (const double tried : {std::sqrt(2 * price / static_cast<double>(n)), 0.3, 0.7, 0.92}) {
-    few[next++] = {tried, 0};
-    few[next++] = {0, tried};
-  }
-  const Trials of_few = value(few);
   if (!(*std::max_element(of_few.begin(), of_few.end()) > without + price - kNear)) return best;
-  const auto consider = [&](NeighbourCorrelations one) {
-    const double here = value(one), gain = here - price * ((one.first > 0) + (one.second > 0));
+  const auto consider = [&](NeighbourCorrelations one, double here) {
+    const double gain = here - price * ((one.first > 0) + (one.second > 0));
     if (!(gain > most)) return;
     most = gain;
     best = {one, here};
@@ -224,8 +239,9 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
                second = highest(value, [](double x) {
                  return NeighbourCorrelations{0, x};
                });
-  consider({first, 0});
-  consider({0, second});
+  const Trials of_one = value({{{first, 0}, {0, second}}});
+  consider({first, 0}, of_one[0]);
+  consider({0, second}, of_one[1]);
   if (!best.correlations.any()) return best;
   // One that both share is as simple as one of either. Where the data do not tell, it is what widens most.
   const double shared = highest(value,
@@ -246,7 +262,7 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
     both.first = round == 0 ? highest(value, with_first) : highest_near(value, with_first, both.first);
     if (std::abs(both.first - last.first) + std::abs(both.second - last.second) < kHardly) break;
   }
-  consider(both);
+  consider(both, value(both));
   return best;
 }
 

@@ -5,6 +5,7 @@
 
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "solver/prior.h"
@@ -173,6 +174,29 @@ TEST(Evidence, OverAConstantWithAPriorIsThatOfTheDoubleIntegral) {
 }
 
 /// Interpolation converges slowly there, and ends where three digits are known.
+/// Each value comes with its slope, so that half as many suffice.
+TEST(Evidence, OfASkewDensityNeedsFewValues) {
+  struct Counting final : Problem {
+    Line line{0, 3, 0, true, 0.5};
+    mutable int count = 0;
+    std::size_t residual_count() const override { return line.residual_count(); }
+    const std::vector<FreeParameter>& parameters() const override { return line.parameters(); }
+    double data_norm() const override { return line.data_norm(); }
+    bool known_errors() const override { return true; }
+    bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> jacobian) const override {
+      ++count;
+      return line.evaluate(x, r, jacobian);
+    }
+  } problem;
+  const Verdict verdict = solve(problem);
+  problem.count = 0;
+  const auto result = evidence(problem, verdict.best, verdict.standard_errors[0], {});
+  ASSERT_TRUE(result);
+  EXPECT_LE(problem.count, 12);  // nodes at nine places, and the way to both ends
+  expect_same(*result, summed([&](double x) { return -0.5 * cost(problem, {x}); }, 0, 3, std::identity(), 400000),
+              3.0 / 400000);
+}
+
 TEST(Evidence, OfADensityWithAKinkIsThatOfItsIntegral) {
   const Kinked problem;
   const Evidence is = found(problem), expected = summed([&](double x) { return -0.5 * cost(problem, {x}); }, -2, 3,

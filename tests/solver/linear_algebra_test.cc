@@ -67,6 +67,28 @@ TEST(LinearAlgebra, Solves) {
   EXPECT_EQ(solve_symmetric(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).size(), 0);
 }
 
+/// Small matrices take no memory of their own.
+TEST(LinearAlgebra, SolvesSmallAndLargeMatricesAlike) {
+  for (const Eigen::Index n : {1, 8, 9, 30}) {
+    Eigen::MatrixXd H(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index k = 0; k < n; ++k) H(i, k) = 1.0 / static_cast<double>(1 + std::abs(i - k)) + (i == k ? 2 : 0);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, 1, 3);
+    EXPECT_LT((H * solve_symmetric(H, b) - b).norm(), 100 * kRounding) << n;
+    EXPECT_LT((H * solve_columns(H, H) - H).norm(), 1000 * kRounding) << n;
+    EXPECT_NEAR(*log_determinant(H), std::log(H.determinant()), 100 * kRounding) << n;
+  }
+}
+
+TEST(LinearAlgebra, SquareAlongLeavesOutDirectionsThatTheMatrixDoesNotHave) {
+  // v v' + w w' with orthogonal v and w: u = 2 v + 3 w has the square 4 + 9.
+  const Eigen::Vector3d v(1, 2, 2), w(2, 1, -2);
+  const Eigen::MatrixXd S = v * v.transpose() + w * w.transpose();
+  const SquareAlong found = square_along(S, 2 * v + 3 * w, 1e-9);
+  EXPECT_NEAR(found.square, 13, 1e-12);
+  EXPECT_EQ(found.directions, 2);
+}
+
 TEST(LinearAlgebra, ProjectionLeavesOutColumnsThatDependOnOthers) {
   Eigen::MatrixXd J(3, 2);
   J << 1, 2, 0, 0, 1, 2 * (1 + 1e-13);

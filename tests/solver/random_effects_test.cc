@@ -169,6 +169,40 @@ TEST(RandomEffects, AreTestedAsFurtherColumnsAre) {
   EXPECT_NEAR(test->along.value, -(J.colPivHouseholderQr().solve(made.r))[2], 1e-9);
 }
 
+TEST(RandomEffects, AreTestedOneByOne) {
+  const Experiment made(6, Vector{{0.4, 0.9}});
+  const std::vector<double> course{-0.5, -0.3, -0.2, -0.1, 0.1, 0.2, 0.3, 0.5};
+  const auto one = test_groups(grouped_rows(made.J, made.r, made.Z.col(1), made.groups), course),
+             of_both = test_groups(made.rows(), course, 1);
+  ASSERT_TRUE(one && of_both);
+  constexpr double kRounding = 1e-12;  // sums of 120 rows in another order
+  EXPECT_NEAR(of_both->fall, one->fall, kRounding * one->fall);
+  EXPECT_NEAR(of_both->along.fall, one->along.fall, kRounding * one->fall);
+  EXPECT_NEAR(of_both->groups[3].value, one->groups[3].value, kRounding * one->fall);
+  EXPECT_NEAR(of_both->spread, one->spread, kRounding * one->fall);
+  EXPECT_NEAR(of_both->change, one->change, kRounding * one->fall);
+  EXPECT_NEAR(of_both->widening, one->widening, kRounding * one->fall);
+}
+
+/// A deviation of all groups together is then one of the parameter.
+TEST(RandomEffects, OfAParameterAreTestedInOneDirectionLess) {
+  Experiment made(7, Vector{{0.4}});
+  made.J.col(0) = made.Z.col(0);
+  const auto test = test_groups(made.rows(), std::vector<double>(8, 1.0));
+  ASSERT_TRUE(test);
+  EXPECT_EQ(test->directions, 7);
+  Matrix wide = Matrix::Zero(made.J.rows(), 10);
+  wide.leftCols(2) = made.J;
+  for (Eigen::Index g = 0; g < 8; ++g)
+    for (const std::size_t row : made.groups[static_cast<std::size_t>(g)])
+      wide(static_cast<Eigen::Index>(row), 2 + g) = made.Z(static_cast<Eigen::Index>(row), 0);
+  const auto squares = [&](const Matrix& J) {
+    return (made.r - J * J.colPivHouseholderQr().solve(made.r)).squaredNorm();
+  };
+  EXPECT_NEAR(test->fall, squares(made.J) - squares(wide), 1e-9 * squares(made.J));
+  EXPECT_EQ(test->along.fall, 0);
+}
+
 TEST(RandomEffects, HaveAJackknifeThatLeavesOutEachGroup) {
   const Experiment made(9, Vector{{0.3}});
   const auto fit = [&](const Matrix& J, const Vector& r) { return J.colPivHouseholderQr().solve(r)[0]; };
