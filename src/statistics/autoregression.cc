@@ -262,7 +262,8 @@ ChosenCorrelations choose_correlations(const TwoProcesses& processes, std::span<
     both.first = round == 0 ? highest(value, with_first) : highest_near(value, with_first, both.first);
     if (std::abs(both.first - last.first) + std::abs(both.second - last.second) < kHardly) break;
   }
-  consider(both, value(both));
+  // One of either has been considered: rounding would decide whether it is better than itself.
+  if (both.first > 0 && both.second > 0) consider(both, value(both));
   return best;
 }
 

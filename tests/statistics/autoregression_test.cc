@@ -187,6 +187,20 @@ TEST(Correlations, AreSharedOnlyWhereThatIsBetterThanNone) {
   EXPECT_GT(alike, 30);
 }
 
+/// Where the second process hardly acts, rounding does not decide whether the correlation is shared.
+TEST(Correlations, AreSharedWhereTheDataDoNotTell) {
+  TwoProcesses runs = turning(3, 20);
+  std::fill(runs.first.begin(), runs.first.end(), 1.0);
+  for (double& weight : runs.second) weight *= 1e-3;
+  int any = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const auto [first, second] = choose_correlations(runs, drawn(runs, {0.7, 0}, seed), one).correlations;
+    any += first > 0;
+    EXPECT_EQ(first, second) << seed;
+  }
+  EXPECT_GT(any, 40);
+}
+
 TEST(Correlations, AreImprovedWithTheFactorsOfTheWeights) {
   const TwoProcesses runs = turning(8, 200);
   const NeighbourCorrelations rho{0.8, 0.5};
