@@ -122,7 +122,7 @@ std::vector<PossibleCause> possible_causes(const Case& of, const Points& points)
 bool is_hopeless(const Dataset& data, const FitResult& fit) {
   constexpr double kSurely = 1e-6;
   if (!is_found(fit) || (fit.residuals.empty() && fit.pull_off_residuals.empty())) return true;
-  const ResidualTests tests = (fit.consistency ? *fit.consistency : test_consistency(data, fit)).residuals;
+  const ResidualTests tests = consistency_of(data, fit).residuals;
   return is_far(tests) || tests.course_p < kSurely;
 }
 

@@ -286,6 +286,10 @@ std::vector<BeyondEquilibrium> beyond_equilibrium(const Dataset& data, const Fit
 
 }  // namespace
 
+Consistency consistency_of(const Dataset& data, const FitResult& fit) {
+  return fit.consistency ? *fit.consistency : test_consistency(data, fit);
+}
+
 Consistency test_consistency(const Dataset& data, const FitResult& fit) {
   Consistency result;
   if (fit.known_errors && fit.freedom() > 0) {

@@ -26,6 +26,8 @@ double residual_unit(const FitResult& fit);
 
 /// The fit must have residuals.
 Consistency test_consistency(const Dataset& data, const FitResult& fit);
+/// That of the fit, found where it has none yet.
+Consistency consistency_of(const Dataset& data, const FitResult& fit);
 
 /// Among the exact constants that matter, the one with the most significant score test, if that test fails; else null.
 const ExactConstant* wrong_constant(const FitResult& fit);

@@ -137,7 +137,7 @@ FitResult without_ends(const Case& of, const FitResult& whole, const Points& poi
 
 bool explains(const Dataset& data, const FitResult& fit, double chance) {
   if (fit.residuals.empty() && fit.pull_off_residuals.empty()) return false;
-  const Consistency consistency = fit.consistency ? *fit.consistency : test_consistency(data, fit);
+  const Consistency consistency = consistency_of(data, fit);
   const ResidualTests& tests = consistency.residuals;
   return !runs_differ(fit, chance) && !wrong_constant(fit) && consistency.chi2_p.value_or(1) > chance &&
          !consistency.pinned && !is_far(tests) && tests.course_p > chance && !tests.together &&

@@ -104,8 +104,10 @@ FitResult Fitter::run() {
   // An explanation whose residuals fail is dropped: whether its runs differ is of no interest.
   if (some && purpose_ == Purpose::tried && !result_.residuals.empty()) {
     result_.consistency = test_consistency(data_, result_);
-    prepared_.used = result_.used;  // finished() has moved them
-    if (explains(data_, result_)) test_runs(x);
+    if (explains(data_, result_)) {
+      prepared_.used = result_.used;  // finished() has moved them
+      test_runs(x);
+    }
   }
   return std::move(result_);
 }

@@ -99,11 +99,6 @@ class Distances {
   /// Writes the open points of the block whose places are nearest, or need not be, and closes them.
   bool write_nearest(std::size_t from, std::size_t count) {
     const OfAll all = in_vectors([&] { return of_all(block_, result_, derivatives_, family_.p.size()); });
-    if (open_ == count && all.sure && all.inside) {
-      open_ = 0;
-      write_all(from, count);
-      return all.finite;
-    }
     std::array<bool, kBlock> found{};
     std::size_t closed = 0;
     for (std::size_t slot = 0; slot < count; ++slot) {

@@ -67,20 +67,17 @@ MIXITY_LOOP bool fill_slots(const BlockArrays points, Block& __restrict block) {
 
 /// What holds for all slots of a block; idle ones repeat the last.
 struct OfAll {
-  bool sure, inside, finite;  // proven to be nearest; settled between the ends of the curves; with their derivatives
+  bool inside, finite;  // settled between the ends of the curves; with their derivatives
 };
 /// `p`: the number of parameters, for which there may be more arrays.
 template <class Law>
 MIXITY_LOOP OfAll of_all(const Block& block, const Result<Law>& result, bool derivatives, std::size_t p) {
-  std::int64_t sure = -1, inside = -1, finite = -1;
+  std::int64_t inside = -1, finite = -1;
   const auto check = [&finite](const Packed& values) {
     for (std::size_t i = 0; i < kBlock; ++i)
       finite &= mask(std::abs(values[i]) <= std::numeric_limits<double>::max());
   };
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    sure &= mask(result.sure[i] > 0);
-    inside &= mask(block.settled[i] > 0) & ~mask(block.at_end[i] > 0);
-  }
+  for (std::size_t i = 0; i < kBlock; ++i) inside &= mask(block.settled[i] > 0) & ~mask(block.at_end[i] > 0);
   check(result.r);
   check(result.dA);
   if (derivatives) {
@@ -88,7 +85,7 @@ MIXITY_LOOP OfAll of_all(const Block& block, const Result<Law>& result, bool der
     check(result.dT);
     for (std::size_t k = 0; k < p; ++k) check(result.parameters[k]);
   }
-  return {sure != 0, inside != 0, finite != 0};
+  return {inside != 0, finite != 0};
 }
 
 /// The arrays that a block is written to; null are derivatives or places that are not wanted.
