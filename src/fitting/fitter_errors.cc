@@ -273,8 +273,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
     const double ratio = change / std::exchange(last_change, change),
                  left = ratio < kSteady ? change * ratio / (1 - ratio) : change;
     const bool creeps = round > choosing + 1 && ratio > kHardlyLess;
+    // Without correlations, later rounds differ from these in nothing but the size of their changes.
+    const bool as_later = round > choosing || (!models.correlations.any() && round + (known ? 1 : 0) >= choosing);
     ended |= round + 1 >= refining || (round >= choosing && change < (creeps ? kCreeps : kResolved));
-    if (left <= settled && round > choosing) break;
+    if (left <= settled && as_later) break;
     if (many) {
       const double earlier = std::exchange(moved, std::max(change, of_expected * std::sqrt(points)));
       if (round >= (known && !models.correlations.any() ? weighting : choosing) && moved < earlier &&
