@@ -35,6 +35,7 @@ class Fitter {
   std::size_t unknown() const;
   bool has_too_few_points();
   bool is_beyond(double most_misfit) const;
+  bool exceeds(double squares, double freedom, double at_most) const;
   bool scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage, const ErrorModels& models,
                         double at_most, bool chosen, std::optional<ErrorModels>& by_neighbours) const;
   void report_progress(double fraction) const;

@@ -216,7 +216,10 @@ bool Fitter::settle_errors(std::vector<double>& x) {
         errors.expected.clear();  // nothing else has changed
       else
         restore_errors();
-      given_up_ = first && options_.explanation_only;  // its minimum, with these errors, is known to have this course
+      // Its minimum, with these errors, is known to have this course; or it hardly scatters less with the first errors.
+      constexpr double kWithFirst = 1.5;
+      given_up_ = options_.explanation_only &&
+                  (first || exceeds(as_vector(nearest->residuals).squaredNorm(), freedom, kWithFirst));
       return false;
     }
     std::optional<ErrorModels> by_neighbours;  // what Stage::choosing would find, where it is known

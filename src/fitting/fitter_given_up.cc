@@ -39,19 +39,22 @@ bool Fitter::is_beyond(double most_misfit) const {
   return false;
 }
 
+/// Whether residuals with known errors and this sum of squares explain nothing, even if it were `at_most` times smaller.
+bool Fitter::exceeds(double squares, double freedom, double at_most) const {
+  return options_.explanation_only && problem_->known_errors() && options_.loss == Loss::none && freedom > 0 &&
+         chi_squared_p_value(squares / at_most, freedom) < kHardly;
+}
+
 /// Whether the squares of residuals with known errors are so large, with the neighbours' correlations that explain them
 /// best, that no later round makes the fit an explanation: none divides chi^2 by more than `at_most`. `chosen`: whether
 /// those of `models` are these correlations; else they are estimated, into `by_neighbours`.
 bool Fitter::scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
                               const ErrorModels& models, double at_most, bool chosen,
                               std::optional<ErrorModels>& by_neighbours) const {
-  if (!options_.explanation_only || !problem_->known_errors() || options_.loss != Loss::none) return false;
   double freedom = 0;
   for (const double one : leverage) freedom += 1 - one;
   const auto fails = [&](const std::vector<double>& residuals) {
-    double squares = 0;
-    for (const double r : residuals) squares += r * r;
-    return freedom > 0 && chi_squared_p_value(squares / at_most, freedom) < kHardly;
+    return exceeds(as_vector(residuals).squaredNorm(), freedom, at_most);
   };
   if (!fails(nearest.residuals)) return false;
   if (!chosen) by_neighbours = estimated_errors(nearest, leverage, models, Stage::choosing, {});
