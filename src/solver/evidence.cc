@@ -58,6 +58,10 @@ class LogDensity {
   /// The error of `below` per error of `smooth` near the peak.
   double error_of(double smooth) const { return power() > 0 ? power() * smooth : smooth; }
   void begin() { profile_.begin(0); }
+  /// The density at the start, where begin() leads; it is known if that is the minimum.
+  double at_start(const Minimum& best) {
+    return inner(best.x[0]) > lower() || !logarithmic() ? of_cost(best.sum_of_squares) : (*this)(start_).density;
+  }
 
   /// A value of the density, with its slope where there is a single parameter. Minus infinity where the cost is not
   /// finite.
@@ -328,7 +332,7 @@ std::optional<Evidence> evidence(const Problem& problem, const Minimum& best, st
   LogDensity density(problem, best, choice, options);
   if (!(density.lower() < density.upper())) return std::nullopt;
   density.begin();
-  const double peak = density(density.start()).density;
+  const double peak = density.at_start(best);
   if (!std::isfinite(peak)) return std::nullopt;
   const double range = density.upper() - density.lower();
   const double width = standard_error.value_or(0) * (density.logarithmic() ? 1 / std::max(best.x[0], 1e-300) : 1);
