@@ -235,8 +235,8 @@ void CurveObjective::scale_block(const Constants& constants, const ConstantsScal
     std::fill(out.place_A.begin(), out.place_A.end(), 0.0);  // nothing to start from
     return true;
   };
-  if (!listed_.empty() && &points == &points_ && !has_changes(constants) && !from) {
-    const auto listed = [&](std::size_t which) { return listed_.data() + which * points.size + begin; };
+  if (listed_ && &points == &points_ && !has_changes(constants) && !from) {
+    const auto listed = [&](std::size_t which) { return &listed_[which * points.size + begin]; };
     const auto each = [n](double* __restrict to, const double* __restrict from, const auto& scaled) {
       for (std::size_t i = 0; i < n; ++i) to[i] = scaled(from[i]);
     };

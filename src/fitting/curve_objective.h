@@ -119,10 +119,11 @@ class CurveObjective final : public ModelProblem {
   Expected expected_;
   std::shared_ptr<const Whitening> whitening_;
   std::vector<ParameterValues> shifts_;  // per run; empty: none
-  std::vector<double> listed_;           // the PointArrays by rank, if no run has constants of its own
-  std::vector<std::size_t> blocks_;      // the rank at which each block begins, and the end of the last
-  bool varies_ = false;                  // the constants differ from run to run
-  std::vector<std::size_t> axes_row_;    // per point: the row of its axes; 0: none
+  static constexpr std::size_t kListed = 7;
+  std::unique_ptr<double[]> listed_;   // the PointArrays by rank, if no run has constants of its own; null: not listed
+  std::vector<std::size_t> blocks_;    // the rank at which each block begins, and the end of the last
+  bool varies_ = false;                // the constants differ from run to run
+  std::vector<std::size_t> axes_row_;  // per point: the row of its axes; 0: none
   std::size_t axes_rows_ = 0;
   bool near_ = false;  // the points know where the search for the nearest places begins
   double data_norm_ = 0;

@@ -45,7 +45,7 @@ CurveObjective::CurveObjective(MeasuredPoints points, FreeChoice choice, std::ve
     run_before = run;
   }
   blocks_.push_back(n);
-  if (varies_) listed_.clear();
+  if (varies_) listed_.reset();
   list_axes();
 }
 
@@ -106,7 +106,7 @@ double CurveObjective::sum_of(double from, const Of& of) {
 void CurveObjective::list_points() {
   const std::size_t n = points_.size;
   if (n >= kManyPoints) return;
-  listed_.resize(7 * n);
+  listed_.reset(new double[kListed * n]);
   for (std::size_t rank = 0; rank < n; rank += kBlock) {
     const std::size_t count = std::min(kBlock, n - rank);
     points_.fill(Indices(*this, rank, count).list, listed(rank, count));
@@ -114,13 +114,13 @@ void CurveObjective::list_points() {
 }
 
 PointArrays CurveObjective::listed(std::size_t rank, std::size_t count) {
-  const auto array = [&](std::size_t which) { return std::span(listed_).subspan(which * points_.size + rank, count); };
+  const auto array = [&](std::size_t which) { return std::span(&listed_[which * points_.size + rank], count); };
   return {array(0), array(1), array(2), array(3), array(4), array(5), array(6)};
 }
 
 /// The arrays of consecutive points by rank; those that are not listed are computed.
 PointArrays CurveObjective::block_of(std::size_t rank, std::size_t count, Workspace& workspace) {
-  if (!listed_.empty()) return listed(rank, count);
+  if (listed_) return listed(rank, count);
   const PointArrays block = workspace.points(count);
   points_.fill(Indices(*this, rank, count).list, block);
   return block;
@@ -162,16 +162,19 @@ void CurveObjective::sort_points() {
   std::iota(by_key.begin(), by_key.end(), std::size_t{0});
   std::stable_sort(by_key.begin(), by_key.end(),
                    [&](std::size_t i, std::size_t j) { return stretches[i].key < stretches[j].key; });
-  order_.reserve(points_.size);
+  order_.resize(n);
+  std::unique_ptr<double[]> by_rank(listed_ ? new double[kListed * n] : nullptr);
+  std::size_t rank = 0;
   for (const std::size_t k : by_key) {
-    const std::size_t end = k + 1 < stretches.size() ? stretches[k + 1].begin : points_.size;
-    for (std::size_t i = stretches[k].begin; i < end; ++i) order_.push_back(static_cast<std::uint32_t>(i));
+    const std::size_t begin = stretches[k].begin,
+                      count = (k + 1 < stretches.size() ? stretches[k + 1].begin : n) - begin;
+    std::iota(order_.begin() + static_cast<std::ptrdiff_t>(rank),
+              order_.begin() + static_cast<std::ptrdiff_t>(rank + count), static_cast<std::uint32_t>(begin));
+    for (std::size_t array = 0; by_rank && array < kListed; ++array)
+      std::copy_n(&listed_[array * n + begin], count, &by_rank[array * n + rank]);
+    rank += count;
   }
-  std::vector<double> by_rank;
-  by_rank.reserve(listed_.size());
-  for (std::size_t array = 0; array < listed_.size(); array += n)
-    for (const std::uint32_t i : order_) by_rank.push_back(listed_[array + i]);
-  listed_.swap(by_rank);
+  listed_ = std::move(by_rank);
 }
 
 }  // namespace mixity
