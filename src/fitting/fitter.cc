@@ -57,8 +57,8 @@ Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions&
     solver_.engine = Engine::kernel;
     solver_.last_digits = false;
     solver_.kernel_stationary = solver_.kernel_stationary_of_several = kNearEnough;
+    solver_.most_iterations_shown = solver_.most_iterations;  // one that creeps along a valley is none to compare with
   }
-  if (purpose_ == Purpose::tried) solver_.most_iterations_shown = solver_.most_iterations;
 }
 
 FitResult Fitter::run() {
