@@ -118,8 +118,8 @@ class CurveObjective final : public ModelProblem {
   std::vector<std::uint32_t> order_;  // the points by load, or by run where parameters are shifted; empty: as given
   Expected expected_;
   std::shared_ptr<const Whitening> whitening_;
-  std::vector<ParameterValues> shifts_;  // per run; empty: none
-  static constexpr std::size_t kListed = 7;
+  std::vector<ParameterValues> shifts_;      // per run; empty: none
+  static constexpr std::size_t kListed = 7;  // the arrays of PointArrays
   std::unique_ptr<double[]> listed_;   // the PointArrays by rank, if no run has constants of its own; null: not listed
   std::vector<std::size_t> blocks_;    // the rank at which each block begins, and the end of the last
   bool varies_ = false;                // the constants differ from run to run

@@ -42,6 +42,14 @@ std::size_t distinct_points(const Dataset& data, const PointIndices& used, std::
 
 }  // namespace
 
+SolverOptions options_of_refits() {
+  SolverOptions quick;
+  quick.engine = Engine::kernel;
+  quick.last_digits = false;
+  quick.most_iterations_shown = quick.most_iterations;
+  return quick;
+}
+
 Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions& options, Purpose purpose,
                const std::vector<std::size_t>* points, const std::vector<FittedParameter>* near)
     : data_(data),
@@ -54,10 +62,8 @@ Fitter::Fitter(const Dataset& data, const ContactModel& model, const FitOptions&
   describe();
   if (near) starting_.near = solver_values(*problem_, *near);
   if (purpose_ != Purpose::shown) {
-    solver_.engine = Engine::kernel;
-    solver_.last_digits = false;
+    solver_ = options_of_refits();
     solver_.kernel_stationary = solver_.kernel_stationary_of_several = kNearEnough;
-    solver_.most_iterations_shown = solver_.most_iterations;  // one that creeps along a valley is none to compare with
   }
 }
 

@@ -16,8 +16,12 @@
 namespace mixity {
 
 /// shown: a reported fit, by Ceres. values: a refit by the kernel, for its values alone. tried: like values, for a
-/// possible explanation, with fewer iterations.
+/// possible explanation, in fewer rounds.
 enum class Purpose { shown, values, tried };
+
+/// Of a fit that is not shown: without its last digits, and without thousands of steps, which only a valley of a wrong
+/// model needs.
+SolverOptions options_of_refits();
 
 class Fitter {
  public:

@@ -32,15 +32,6 @@ void drop(std::initializer_list<std::vector<double>*> lists) {
   for (std::vector<double>* const list : lists) *list = std::vector<double>();
 }
 
-/// For the minimum of one round: the rest is left to the next.
-SolverOptions options_of_rounds() {
-  SolverOptions quick;
-  quick.engine = Engine::kernel;
-  quick.last_digits = false;
-  quick.most_iterations_shown = quick.most_iterations;
-  return quick;
-}
-
 }  // namespace
 
 /// The minimum with self-consistent errors.
@@ -101,7 +92,7 @@ bool Fitter::leads_to_the_same_errors(const std::vector<double>& x) {
   StandardErrors settled = *prepared_.errors;
   std::unique_ptr<ModelProblem> with_settled = std::move(problem_);
   restore_errors();
-  const auto minimum = descend(ProblemWithPriors(*problem_), x, options_of_rounds());
+  const auto minimum = descend(ProblemWithPriors(*problem_), x, options_of_refits());
   bool same = minimum.has_value();
   for (std::size_t k = 0; same && k < x.size(); ++k) {
     const double size = std::max(std::abs(first_minimum_[k]), problem_->parameters()[k].least_size());
@@ -143,11 +134,12 @@ bool Fitter::settle_errors(std::vector<double>& x) {
   constexpr double kHardlyLess = 0.8;  // the same where rounds creep
   constexpr double kSurely = 1e-6;
   constexpr double kFound = 0.01;        // of the spread between runs, by which a round moves their deviations
+  constexpr double kWithFirst = 1.5;     // most by which chi^2 may fall when the errors are again the first ones
   constexpr double kSmallCourse = 0.25;  // in standard errors of a point: 6 % of the variance
   constexpr double kLargeCourse = 2;     // more than the wrong weights of the first errors cause
   StandardErrors& errors = *prepared_.errors;
   first_minimum_.clear();
-  SolverOptions quick = options_of_rounds();
+  SolverOptions quick = options_of_refits();
   const double points = static_cast<double>(prepared_.used.size());
   const SolverOptions exactly;
   double last_change = 1, moved = 0;  // by the last round, at most: the parameters, in their standard errors
@@ -217,7 +209,6 @@ bool Fitter::settle_errors(std::vector<double>& x) {
       else
         restore_errors();
       // Its minimum, with these errors, is known to have this course; or it hardly scatters less with the first errors.
-      constexpr double kWithFirst = 1.5;
       given_up_ = options_.explanation_only &&
                   (first || exceeds(as_vector(nearest->residuals).squaredNorm(), freedom, kWithFirst));
       return false;

@@ -39,7 +39,8 @@ bool Fitter::is_beyond(double most_misfit) const {
   return false;
 }
 
-/// Whether residuals with known errors and this sum of squares explain nothing, even if it were `at_most` times smaller.
+/// Whether residuals with known errors and this sum of squares explain nothing, even if it were `at_most` times
+/// smaller.
 bool Fitter::exceeds(double squares, double freedom, double at_most) const {
   return options_.explanation_only && problem_->known_errors() && options_.loss == Loss::none && freedom > 0 &&
          chi_squared_p_value(squares / at_most, freedom) < kHardly;
@@ -51,6 +52,7 @@ bool Fitter::exceeds(double squares, double freedom, double at_most) const {
 bool Fitter::scatters_too_far(const NearestPlaces& nearest, const std::vector<double>& leverage,
                               const ErrorModels& models, double at_most, bool chosen,
                               std::optional<ErrorModels>& by_neighbours) const {
+  if (!options_.explanation_only) return false;  // before sums over all points
   double freedom = 0;
   for (const double one : leverage) freedom += 1 - one;
   const auto fails = [&](const std::vector<double>& residuals) {

@@ -60,7 +60,7 @@ class LogDensity {
   void begin() { profile_.begin(0); }
   /// The density at the start, where begin() leads; it is known if that is the minimum.
   double at_start(const Minimum& best) {
-    return inner(best.x[0]) > lower() || !logarithmic() ? of_cost(best.sum_of_squares) : (*this)(start_).density;
+    return !logarithmic() || start_ > lower() ? of_cost(best.sum_of_squares) : (*this)(start_).density;
   }
 
   /// A value of the density, with its slope where there is a single parameter. Minus infinity where the cost is not
