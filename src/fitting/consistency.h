@@ -57,8 +57,9 @@ bool is_far(const ResidualTests& tests);
 double mean_correlation(const FitResult& fit);
 /// The effective number of independent points: n (1 - r)/(1 + r), r the mean correlation.
 double independent_points(const FitResult& fit);
-/// The first test that fails, as a sentence with a remedy; empty if none does.
-Message failed_test(const Dataset& data, const FitResult& fit);
+/// The first test that fails, as a sentence with a remedy; empty if none does. `constants`: including the score tests
+/// of exact constants.
+Message failed_test(const Dataset& data, const FitResult& fit, bool constants = true);
 
 /// Refits the same model to some points of the data or of a part of them, for its values; starts from `near` unless
 /// that is null.
@@ -74,6 +75,7 @@ struct Diagnosis {
   Message reason;
   std::optional<double> explained{};  // the cost with the best cause that explains everything
   std::vector<Explanation> explanations{};
+  bool passes = false;  // the fit is believed: its interval includes the explanations
 };
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
                    std::optional<double> to_beat = {});

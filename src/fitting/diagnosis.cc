@@ -5,10 +5,12 @@
 #include "base/number_text.h"
 #include "base/phrases.h"
 #include "dataset/exclusion.h"
+#include "fitting/cause_fits.h"
 #include "fitting/causes.h"
 #include "fitting/circularity.h"
 #include "fitting/heavy_points.h"
 #include "fitting/pull_off_course.h"
+#include "statistics/distributions.h"
 
 namespace mixity {
 namespace {
@@ -114,6 +116,39 @@ std::optional<FitResult> explained_without_ends(const Case& of, const FitResult&
   return explained(without) ? std::optional(std::move(without)) : std::nullopt;
 }
 
+/// Where nothing but score tests of constants fails, none clearly, and neighbours correlate: the fits with such a
+/// constant free, if the likelihood ratio shows for none that it should be; else none. A score test takes the errors as
+/// known, whose sizes and correlation a long memory tells poorly; these fits estimate their own.
+std::vector<Cause> contradicting_fits(const Case& of) {
+  const FitResult& fit = of.fit;
+  const bool correlate = fit.errors && fit.errors->correlations.any();
+  if (fit.known_errors || !correlate || !failed_test(of.data, fit, false).empty()) return {};
+  std::vector<Cause> list;
+  for (const ExactConstant& one : fit.budget->exact) {
+    const double tests = fit.budget->independent;
+    if (!one.score || !one.score->matters() || !asks_to_be_free(*one.score, tests)) continue;
+    if (one.score->p_value * tests < kHardly) return {};
+    Cause cause = with_free(of, constant_named(one.constant).value(), fit.used.list());
+    if (!is_found(cause.fit)) return {};
+    cause.misfit = misfit(cause.fit);
+    if (chi_squared_p_value(std::max(misfit(fit) - cause.misfit, 0.0), 1) * tests < kChance) return {};
+    describe(of, cause);
+    list.push_back(std::move(cause));
+  }
+  return list;
+}
+
+/// That the interval includes the fits with these constants, as one may be wrong.
+Diagnosis including(const std::vector<Cause>& list, const ExactConstant& worst) {
+  const bool other = list.front().name != worst.constant || list.size() > 1;
+  Message text = worst.constant + (other ? " or another constant" : "") +
+                 " may be wrong (p = " + rounded(p_value_of(worst), 2) + "): the interval includes ";
+  for (const Cause& one : list)
+    text += Message(&one == &list.front() ? "" : " and ") + "the fit with " + one.name + " = " + one.value + " (" +
+            lambda_text(one.fit) + "; " + one.remedy + ")";
+  return {std::move(text), {}, explanations_of(list), true};
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit,
@@ -138,6 +173,9 @@ Diagnosis diagnose(const Dataset& data, const FitResult& fit, const FitOptions& 
   const Points tried = of_part ? PointIndices(points.size()).list() : points;
   const FitResult whole = all_points ? fit : refit(some.data, with, tried, &fit.parameters);
   if (!is_found(whole)) return {failed, {}, {}};
+  if (all_points && !to_beat)
+    if (const std::vector<Cause> list = contradicting_fits(of); !list.empty())
+      return including(list, *wrong_constant(fit));
   std::vector<Cause> found = causes(some, tried, misfit(whole), kAboutAsWell);
   std::erase_if(found, [&](const Cause& one) { return !(misfit(whole) - one.misfit > kAboutAsWell); });
   // A cut of the runs would only leave pull-off loads less to contradict.
@@ -191,14 +229,7 @@ Diagnosis second_thought(const Dataset& data, const FitResult& fit, const FitOpt
 Diagnosis included(const Dataset& data, const FitResult& fit, const FitOptions& options, const Refit& refit) {
   const std::vector<Cause> list = beside_the_fit({data, fit, options, refit});
   if (list.empty()) return {};
-  const ExactConstant& nearly = *nearly_wrong_constant(fit);
-  const bool other = list.front().name != nearly.constant || list.size() > 1;
-  Message text = nearly.constant + (other ? " or another constant" : "") +
-                 " may be wrong (p = " + rounded(p_value_of(nearly), 2) + "): the interval includes ";
-  for (const Cause& one : list)
-    text += Message(&one == &list.front() ? "" : " and ") + "the fit with " + one.name + " = " + one.value + " (" +
-            lambda_text(one.fit) + "; " + one.remedy + ")";
-  return {std::move(text), {}, explanations_of(list)};
+  return including(list, *nearly_wrong_constant(fit));
 }
 
 }  // namespace mixity

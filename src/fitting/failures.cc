@@ -123,7 +123,7 @@ const BudgetPart* far_from_stated(const FitResult& fit) {
   return nullptr;
 }
 
-Message failed_test(const Dataset& data, const FitResult& fit) {
+Message failed_test(const Dataset& data, const FitResult& fit, bool constants) {
   if (const BudgetPart* part = far_from_stated(fit))
     return part->constant + " lies " + rounded(std::abs(part->pull), 2) + " of its standard errors " +
            (part->pull < 0 ? "below" : "above") + " what was stated: check it";
@@ -143,7 +143,7 @@ Message failed_test(const Dataset& data, const FitResult& fit) {
   if (axes_leave_fit(fit))
     return "the contact is no circle: a/b changes to " + rounded(fit.consistency->circle->ratio, 3) +
            " of its value without shear; " + Remedy::set("shape", "ellipse") + " fits both axes";
-  if (const ExactConstant* wrong = wrong_constant(fit)) {
+  if (const ExactConstant* wrong = constants ? wrong_constant(fit) : nullptr) {
     const ReadableUnit shown = readable_unit(wrong->score->value, wrong->unit);
     return wrong->constant + " looks wrong: near " + rounded(wrong->score->value * shown.factor, 2) +
            (wrong->unit.empty() ? "" : " " + shown.unit) + " the points would lie closer to the curve";

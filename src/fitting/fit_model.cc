@@ -100,6 +100,8 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
   };
   const auto untied = to_beat ? std::nullopt : without_tie(data, result, value_only(options));
   Diagnosis found = untied ? *untied : diagnose(data, result, value_only(options), refit, to_beat);
+  // a status that says more than that tests fail has its own message
+  if (found.passes && result.status == FitStatus::suspect && result.message.empty()) result.status = FitStatus::ok;
   if (found.reason.empty() && result.status == FitStatus::ok && options.checks) {
     found = second_thought(data, result, value_only(options), refit);
     if (!found.reason.empty())
@@ -107,7 +109,7 @@ void find_cause(const Dataset& data, FitResult& result, const FitOptions& option
     else
       found = included(data, result, value_only(options), refit);
   }
-  const auto& [reason, explained, explanations] = found;
+  const auto& [reason, explained, explanations, passes] = found;
   if (reason.empty()) return;
   result.explained = explained;
   result.explanations = explanations;
