@@ -177,6 +177,11 @@ Message failed_test(const Dataset& data, const FitResult& fit, bool constants) {
            " with " + Remedy::set("resample", "curves") + ")";
   if (tests.residuals.trend_p < kChance)
     return "residuals follow a trend along the runs: the model or a constant is wrong";
+  // The sizes and the memory of correlated noise are known poorly, and this test takes them as known.
+  const bool correlate = fit.errors && fit.errors->correlations.any();
+  if (fit.law && fit.law->p_value < (correlate ? kHardly : kChance) && fit.law->matters())
+    return "the points follow another law: a smooth change of f(psi) would lower chi^2 by " +
+           rounded(fit.law->fall, 3) + " (p = " + rounded(fit.law->p_value, 2) + ")";
   return {};
 }
 

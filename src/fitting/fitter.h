@@ -78,6 +78,8 @@ class Fitter {
   bool refresh_columns(const std::vector<double>& x);
   bool shorten_steps(const std::vector<double>& x, const RunDifferences& start, NearestPlaces& nearest);
   void test_runs(const std::vector<double>& x);
+  std::optional<Eigen::MatrixXd> columns_of_law(const std::vector<double>& x, const RunRows& rows) const;
+  void test_law(const RunRows& rows, const Eigen::MatrixXd& columns, std::optional<double> freedom);
   void expect_shape(const std::vector<double>& x);
   std::optional<OneRun> one_run(RunRows rows, const Groups& groups, Eigen::Index quantity, double unit) const;
   bool settle_weights(Verdict& verdict);

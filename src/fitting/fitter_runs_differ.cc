@@ -244,13 +244,22 @@ void Fitter::test_runs(const std::vector<double>& x) {
     if (result_.axes > 0) add_rows_of_axes(groups);  // pull-off loads belong to no run
   }
   if (!rows) return;
+  const auto of_law = rows->bare.size() > 0 ? columns_of_law(x, *rows) : std::nullopt;
   const auto of_trial = std::find(tested.begin(), tested.end(), options_.by_run.empty() ? "" : options_.by_run.back());
   if (purpose_ == Purpose::tried && of_trial != tested.end())
     result_.one_run = one_run(*rows, groups, of_trial - tested.begin(), unit);
   // Removes what is already fitted by run.
   const auto neighbours = neighbours_of(data_, prepared_.used, *prepared_.errors);
-  if (const auto by_run = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours))
-    take_off(*by_run, *rows);
+  const auto by_run = whitening_of_runs(data_, prepared_.used, *prepared_.errors, neighbours);
+  if (by_run) take_off(*by_run, *rows);
+  if (of_law) {
+    Eigen::MatrixXd columns = *of_law;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+      if (neighbours) neighbours->apply({columns.col(k).data(), prepared_.used.size()});
+      if (by_run) by_run->apply({columns.col(k).data(), prepared_.used.size()});
+    }
+    test_law(*rows, columns, judged_by_scatter ? std::optional(rest) : std::nullopt);
+  }
   widen_by_jackknife(*rows, groups);
   std::vector<std::size_t> runs;
   for (std::size_t g = 0; g < in_runs.runs(); ++g) runs.push_back(in_runs.run(g));

@@ -197,6 +197,14 @@ struct Consistency {
   std::optional<PullOffTest> pull_off{};  // null with few pull-off loads
 };
 
+/// Score test of the law: ln f may depart from the model's by a polynomial of order 2 in B = sin^2 psi that vanishes at
+/// psi = 0. The fall of chi^2, the probability of such a fall by chance, and the change of the first parameter with the
+/// departure, in its standard errors.
+struct LawTest {
+  double fall, p_value, change;
+  bool matters() const { return moves_or_widens(change, 1); }
+};
+
 /// Score test of a quantity that may differ between the runs, from the fit's derivatives.
 struct RunTest {
   std::string quantity, unit;  // the first parameter, or a constant of the experiment
@@ -272,6 +280,7 @@ struct FitResult {
   std::optional<ShownEvidence> evidence;   // null where intervals were not requested, or if not found
   std::optional<Consistency> consistency;  // only in reported fits
   std::vector<RunTest> run_tests;          // for curves with loads in two or more runs
+  std::optional<LawTest> law{};            // the same, of circular contacts whose first parameter is free
   /// Where neighbours correlate: the misfit (causes.h) that independent errors and a free shape of the contact would
   /// have according to the linearised model.
   std::optional<double> shape_instead_of_memory{};
