@@ -72,7 +72,7 @@ TEST(Law, DepartsAsMuchAsInAFit) {
 }
 
 /// bk with both of its parameters free bends as the data do.
-TEST(Law, OfTwoParametersLeavesOneDirection) {
+TEST(Law, OfTwoParametersIsHardlyDoubted) {
   const FitResult fit = fitted(runs_of("bk", {3, 1.6}, 0.01, 1), "bk", "1%");
   EXPECT_EQ(fit.status, FitStatus::ok) << fit.message.text();
   ASSERT_TRUE(fit.law);
